@@ -165,7 +165,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   const auto done = (*writing)->place();
   if (!done) return fileFailure(done.error());
   bags.noteUnknown(args.topics);
-  bags.noteUnreadable(HUGE_VAL);
+  bags.noteUnreadable(order->span.to_s.value_or(HUGE_VAL), excerpt::readsFrom(wanted));
   const Told told = toldOf(*done, wanted.kind);
   tell(args, *order, command, told.json, told.sentence);
   return kDone;

@@ -63,7 +63,7 @@ QJsonObject bagJson(const robot::BagEntry& entry) {
 namespace {
 
 // A file cut off before its first messages has no times.
-bool hasTimes(const robot::BagInfo& info) { return info.messages > 0 || info.end_s > 0; }
+bool hasTimes(const robot::BagInfo& info) { return info.messages.value_or(0) > 0 || info.end_s > 0; }
 
 }  // namespace
 
@@ -72,12 +72,13 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
   for (const robot::BagAway& one : info.away)
     away.append(
         QJsonObject{{QStringLiteral("from"), one.from_s}, {QStringLiteral("to"), orNull(one.until_s)}});
-  QJsonObject all{{QStringLiteral("name"), text(name)},
-                  {QStringLiteral("messages"), qint64(info.messages)},
-                  {QStringLiteral("start"), hasTimes(info) ? QJsonValue(info.start_s) : QJsonValue::Null},
-                  {QStringLiteral("end"), hasTimes(info) ? QJsonValue(info.end_s) : QJsonValue::Null},
-                  {QStringLiteral("interrupted"), info.interrupted},
-                  {QStringLiteral("away"), away}};
+  QJsonObject all{
+      {QStringLiteral("name"), text(name)},
+      {QStringLiteral("messages"), info.messages ? QJsonValue(qint64(*info.messages)) : QJsonValue::Null},
+      {QStringLiteral("start"), hasTimes(info) ? QJsonValue(info.start_s) : QJsonValue::Null},
+      {QStringLiteral("end"), hasTimes(info) ? QJsonValue(info.end_s) : QJsonValue::Null},
+      {QStringLiteral("interrupted"), info.interrupted},
+      {QStringLiteral("away"), away}};
   if (info.repair)
     all[QStringLiteral("repaired")] =
         QJsonObject{{QStringLiteral("broke_off"), orNull(info.repair->broke_off_s)}};
@@ -122,10 +123,11 @@ std::vector<QStringList> topicRows(const robot::BagInfo& info) {
 
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info) {
   const bool times = hasTimes(info);
-  std::vector<QStringList> rows{{Text::tr("name"), words::plainName(name)},
-                                {Text::tr("messages"), QString::number(info.messages)},
-                                {Text::tr("start"), times ? utcText(info.start_s) : QStringLiteral("-")},
-                                {Text::tr("end"), times ? utcText(info.end_s) : QStringLiteral("-")}};
+  std::vector<QStringList> rows{
+      {Text::tr("name"), words::plainName(name)},
+      {Text::tr("messages"), info.messages ? QString::number(*info.messages) : Text::tr("unknown")},
+      {Text::tr("start"), times ? utcText(info.start_s) : QStringLiteral("-")},
+      {Text::tr("end"), times ? utcText(info.end_s) : QStringLiteral("-")}};
   if (!info.format.empty()) {
     rows.push_back({Text::tr("length"), Text::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
     rows.push_back({Text::tr("format"), text(info.format)});

@@ -130,11 +130,9 @@ CommandResult<void> BagReading::waitUntil(const std::function<bool()>& done) {
   // Gaps are rare: checking for them and for the time now and then is enough.
   QObject::connect(&look, &QTimer::timeout, &loop, [&] {
     // Anything later is only read-ahead.
-    const double wanted_s = reading_->chunks().wanted().value_or(-1e300);
-    for (const auto& [from, cell] : reading_->chunks().cells()) {
-      if (replay::secondsOf(from) > wanted_s) break;
-      if (cell.tries > 0 && replay::isFinal(cell)) failed = cell.failure;
-    }
+    const replay::Cell* const obstacle =
+        reading_->chunks().obstacleUntil(reading_->chunks().wanted().value_or(-1e300));
+    if (obstacle && !obstacle->lost && replay::isFinal(*obstacle)) failed = obstacle->failure;
     if (!failed && robot_->time().over()) failed = robot_->tooLate({.subject = subjectOf(reading_->key())});
     if (failed) loop.quit();
   });
@@ -153,16 +151,27 @@ CommandResult<void> BagReading::readRanges(std::optional<double> from_s, std::op
   replay::RangeWalk walk(*reading_, from_s, to_s);
   while (!walk.over()) {
     replay::ChunkPtr chunk;
-    if (auto came = waitUntil([&] { return chunk || (chunk = walk.next()); }); !came) return came;
+    const auto next = [&] { return chunk || (chunk = walk.next()) || walk.over(); };
+    if (auto came = waitUntil(next); !came) return came;
+    if (!chunk) break;
     if (auto taken = take(*chunk); !taken) return taken;
   }
+  const auto holes = reading_->chunks().holes(from_s.value_or(-HUGE_VAL), to_s.value_or(HUGE_VAL));
+  if (!holes.empty() && reading_->chunks().messagesRead() == 0) return failure(holes.front().failure);
+  return {};
+}
+
+CommandResult<void> BagReading::anyRead(double until_s) const {
+  const replay::Cell* const obstacle = reading_->chunks().obstacleUntil(until_s);
+  if (obstacle && obstacle->lost) return failure(obstacle->failure);
   return {};
 }
 
 CommandResult<void> BagReading::readWhole() {
   // From the end back to the start, including parts beyond the stated times.
   reading_->want(1e300);
-  return waitUntil([&] { return reading_->chunks().wholeRead(); });
+  if (auto read = waitUntil([&] { return reading_->chunks().wholeSettled(); }); !read) return read;
+  return anyRead(HUGE_VAL);
 }
 
 CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
@@ -170,11 +179,12 @@ CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
   replay::Moment moment;
   // Computing the world gets more expensive the more is known: wait until all of it is.
   const auto known = waitUntil([&] {
-    if (!reading_->chunks().readUntil(at_s)) return false;
+    if (!reading_->chunks().settledUntil(at_s)) return false;
     moment = reading_->moment();
     return moment.knowledge == replay::Knowledge::Exact;
   });
   if (!known) return passOn(known);
+  if (const auto any = anyRead(at_s); !any) return passOn(any);
   return moment;
 }
 
@@ -188,9 +198,11 @@ void BagReading::noteUnknown(const std::vector<std::string>& topics) {
   }
 }
 
-void BagReading::noteUnreadable(double until_s) {
+void BagReading::noteUnreadable(double until_s, std::optional<double> from_s) {
+  if (const auto holes = reading_->chunks().holes(from_s.value_or(-HUGE_VAL), until_s); !holes.empty())
+    robot_->lack(sentences::sentenceOf(replay::faultOf(holes)));
   std::int64_t odd = 0;
-  for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
+  for (const auto& [range_s, count] : *unreadable_) odd += range_s <= until_s ? count : 0;
   if (odd > 0)
     robot_->lack(
         Text::tr("Messages left out because they have no time stamp or cannot be read: %1.").arg(odd));

@@ -64,12 +64,15 @@ class BagReading {
   CommandResult<replay::Moment> momentAt(double at_s);
   /// Notes topics that a file does not contain. Robots only report topics that they have sent.
   void noteUnknown(const std::vector<std::string>& topics);
-  /// Notes messages before `until_s` that could not be read or have no time stamp.
-  void noteUnreadable(double until_s);
+  /// Notes messages before `until_s` that could not be read or have no time stamp, and the parts of the bag
+  /// from `from_s` to there that the robot refused.
+  void noteUnreadable(double until_s, std::optional<double> from_s = {});
 
  private:
   BagReading() = default;
   CommandResult<replay::Reading*> open(const std::string& name, replay::Reading::Options options);
+  /// Fails if everything until then that has messages was refused.
+  CommandResult<void> anyRead(double until_s) const;
   RobotReading* robot_ = nullptr;
   robot::BagLibrary* library_ = nullptr;
   std::unique_ptr<replay::Reading> reading_;

@@ -205,7 +205,7 @@ CommandResult<int> bagsFrames(RobotCommand& command, const BagsArguments& args) 
   if (!taken) return kUsage;
   if (!read) return passOn(read);
   opened->noteUnknown(args.topics);
-  opened->noteUnreadable(HUGE_VAL);
+  opened->noteUnreadable(span->to_s.value_or(HUGE_VAL), span->from_s);
   return kDone;
 }
 

@@ -95,8 +95,9 @@ void SimulateOptions::addRobot() {
          tr("File with the secret without which the Autoxing robot answers 401"));
   flag("!--no-topic-lists", o.enable_topic_list, tr("Accept enable_topic for only one topic at a time"));
   flag("--odd-bags", o.bags.odd,
-       tr("Add bags of eight hours, with a clock set back, with equal "
-          "stamps, with a gap, with one message and with none"));
+       tr("Add bags of eight hours, with a clock set back, with equal stamps, with a gap, with one message "
+          "and "
+          "with none; damaged ones, one that is not counted, and one of all that robots latch"));
   flag("--bag-end-exclusive", o.bags.end_exclusive, tr("A range request for a bag stops before end_time"));
   flag("!--no-download-ranges", o.bags.ranges, tr("Downloads cannot be resumed"));
   flag("!--no-binary", o.binary_topics, tr("Ignore ?pb=1"));

@@ -218,12 +218,11 @@ bool SnapshotRun::recalled() {
     replayed_->reading()->setWhole(wantsTrack());
     replayed_->goTo(*options_.at_s);
   }
-  const replay::Cell* gap = replayed_->reading()->chunks().gapUntil(*options_.at_s);
-  const bool rejected = gap && gap->failure.kind == map::FailureKind::RejectedByRobot;
-  const bool final = gap && (gap->tries >= kSnapshotTries || (rejected && !map::mayPass(gap->failure)));
-  if (!recalled_ && final) {
-    const QString sentence = QString::fromStdString(sentences::sentenceOf(gap->failure));
-    fail(exitCodeOf(gap->failure.kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
+  const replay::Cell* obstacle = replayed_->reading()->chunks().obstacleUntil(*options_.at_s);
+  if (obstacle && replay::isFinal(*obstacle) && (!recalled_ || obstacle->lost)) {
+    const QString sentence = QString::fromStdString(sentences::sentenceOf(obstacle->failure));
+    fail(exitCodeOf(obstacle->failure.kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
+    return false;
   }
   return recalled_;
 }
@@ -353,7 +352,7 @@ bool SnapshotRun::wantsTrack() const {
 bool SnapshotRun::topicsIn() const {
   if (replayed_)
     return !session_.layerGrids().busy() && replayed_->picturesUnderWay() == 0 &&
-           (!wantsTrack() || replayed_->reading()->chunks().wholeRead());
+           (!wantsTrack() || replayed_->reading()->chunks().wholeSettled());
   return live_layers_.in() || sinceConnected() > kTopicsWithinS;
 }
 
@@ -566,6 +565,13 @@ void SnapshotRun::paint(bool settled) {
               (!options_.wantsWhole() || scans_alone_ || map_.complete()) && !waypointsLost() &&
               !overlaysLost() && (!region_ || region_->complete()) &&
               (!wantsCloud() || (cloud_ && cloud_->came)) && bagLosses(session_.problems()).isEmpty();
+  if (wantsTrack()) {
+    const double later_s = std::nextafter(*options_.at_s, HUGE_VAL);
+    if (const auto holes = replayed_->reading()->chunks().holes(later_s, HUGE_VAL); !holes.empty()) {
+      complete_ = false;
+      notes_ << sentences::sentenceOf(replay::faultOf(holes));
+    }
+  }
   // Also printed to standard error although nothing is missing.
   const auto say = [this](const QString& note) {
     notes_ << note;

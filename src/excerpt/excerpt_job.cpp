@@ -1,6 +1,7 @@
 #include "excerpt/excerpt_job.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "disk/file_error.h"
@@ -71,6 +72,7 @@ void ExcerptJob::proceed() {
     Q_EMIT progressed(walk_->share());
     return work(chunk);
   }
+  if (walk_->over()) return work(nullptr);  // the rest is lost
   const replay::Cell* const cell = walk_->waitsFor();
   if (!cell || cell->tries == 0 || !replay::isFinal(*cell)) return;
   Ended ended;
@@ -106,6 +108,10 @@ void ExcerptJob::worked(const std::optional<disk::FileError>& fault, const std::
   Ended ended;
   if (fault) ended.not_written = disk::notWritten(*fault);
   ended.written = written;
+  if (written && reading_) {
+    ended.holes =
+        reading_->chunks().holes(readsFrom(order_).value_or(-HUGE_VAL), order_.span.to_s.value_or(HUGE_VAL));
+  }
   if (fault || written || cancelled_) return end(std::move(ended));
   proceed();
 }

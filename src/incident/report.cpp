@@ -379,7 +379,7 @@ QStringList inShort(const Run& run) {
 
 QString whyNotWithin(const std::string& name, const robot::BagInfo& info, double at_s, bool rounded) {
   constexpr double kSameS = 0.001, kRoundedS = 1;  // as times are written
-  if (info.messages == 0 && info.end_s <= 0)
+  if (info.messages.value_or(0) == 0 && info.end_s <= 0)
     return ReportText::tr("%1 holds no messages.").arg(words::plainName(name));
   if (at_s >= info.start_s - kSameS && at_s <= info.end_s + (rounded ? kRoundedS : kSameS)) return {};
   return ReportText::tr("%1: %2 UTC is not within it: it lasts from %3 to %4 UTC.")

@@ -1,13 +1,17 @@
 #include "replay/chunks.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include <QDateTime>
+
 #include "map/failure.h"
+#include "replay/faults.h"
 
 namespace mapwright::replay {
 namespace {
@@ -17,7 +21,11 @@ constexpr Tick kLongest = Tick(256 * kTicksPerS);
 constexpr Tick kMostCells = 4096;
 /// Data placed by later messages, or late data, may change the last seconds.
 constexpr double kUnsettledS = 2;
-constexpr int kBelievedTries = 3;
+constexpr int kBelievedTries = 3, kBelievedTriesOfDoubtful = 2;
+/// A place in a range of 256 s is found with eight divisions. Of a bag of which nothing can be read few are
+/// tried.
+constexpr Tick kShortestDoubt = Tick(kTicksPerS);
+constexpr int kMostDivided = 1024, kMostDividedOfNothing = 64;
 
 /// The longest power of two that is no longer; at least one.
 Tick powerOfTwo(double ticks) {
@@ -30,7 +38,60 @@ bool isTooLong(const map::Failure& failure) {
   return failure.kind == map::FailureKind::MalformedAnswer && failure.cause.code == fault::AnswerTooLong;
 }
 
+/// About this range, and not about the whole bag, the robot or the way to it.
+bool isOfRange(const map::Failure& failure) {
+  if (failure.kind == map::FailureKind::MalformedAnswer) return true;
+  const bool other =
+      failure.robot_code == "404" || failure.robot_code == "429" || failure.robot_code == "503";
+  return failure.kind == map::FailureKind::RejectedByRobot && !other;
+}
+
 }  // namespace
+
+namespace {
+
+std::vector<Fault> whyOf(const map::Failure& failure) {
+  std::vector<Fault> why;
+  if (failure.cause.any()) {
+    why.push_back(failure.cause);
+  } else if (!failure.detail.empty()) {
+    why.push_back(fault::said(failure.detail));
+  }
+  int status = 0;
+  const std::string& code = failure.robot_code;
+  std::from_chars(code.data(), code.data() + code.size(), status);
+  if (code.size() != 3 || status < 100) return why;
+  return {Fault(fault::RobotAnswered, {HttpStatus{status}}, std::move(why))};
+}
+
+}  // namespace
+
+Fault faultOf(const std::vector<Hole>& holes) {
+  constexpr std::size_t kMostNamed = 10;
+  const auto clock = [](double at_s, const char* format) {
+    return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(at_s * 1000)), Qt::UTC)
+        .toString(QLatin1String(format))
+        .toStdString();
+  };
+  Fault all = fault::BagPartsRefused;
+  for (std::size_t i = 0; i < std::min(holes.size(), kMostNamed); ++i) {
+    const Hole& hole = holes[i];
+    Fault part{fault::BagPartRefused,
+               {clock(hole.from_s, "yyyy-MM-dd HH:mm:ss.zzz"), clock(hole.until_s, "HH:mm:ss.zzz 'UTC'")}};
+    // The robot's words are the same for all, mostly.
+    if (i == 0 || !(hole.failure == holes[i - 1].failure)) part.because = whyOf(hole.failure);
+    all.because.push_back(std::move(part));
+  }
+  if (holes.size() > kMostNamed)
+    all.because.push_back({fault::BagPartsMore, {std::int64_t(holes.size() - kMostNamed)}});
+  return all;
+}
+
+bool isFinal(const Cell& cell) {
+  const bool rejected = cell.failure.kind == map::FailureKind::RejectedByRobot && !map::mayPass(cell.failure);
+  return cell.lost || cell.tries >= kBelievedTries || rejected ||
+         cell.failure.kind == map::FailureKind::Refused || cell.failure.kind == map::FailureKind::Certificate;
+}
 
 std::size_t Chunk::countUntil(double at_s) const {
   const auto end = std::partition_point(order.begin(), order.end(), [&](std::uint32_t index) {
@@ -80,9 +141,9 @@ Chunks::Chunks(const robot::BagInfo& info, ChunksOptions options) : options_(opt
   // If the clock was set back, the last message may have an earlier stamp than the first.
   start_s_ = std::clamp(std::floor(std::min(info.start_s, info.end_s)), kFirstS, kLastS);
   end_s_ = std::clamp(std::max(info.start_s, info.end_s), kFirstS, kLastS);
-  if (info.messages == 0 && start_s_ == end_s_) return;
+  if (info.messages.value_or(0) == 0 && start_s_ == end_s_) return;
   const Tick from = tickOf(start_s_), until = std::min(tickOf(std::floor(end_s_) + 1), tickOf(kLastS) + 1);
-  const double rate = double(std::max<std::int64_t>(info.messages, 1)) / secondsOf(until - from);
+  const double rate = double(std::max<std::int64_t>(info.messages.value_or(1), 1)) / secondsOf(until - from);
   Tick length =
       std::clamp(powerOfTwo(options_.messages_per_cell / rate * kTicksPerS), Tick(kTicksPerS), kLongest);
   while ((until - from) / length > kMostCells) length *= 2;
@@ -276,6 +337,7 @@ void Chunks::read(Tick from, std::size_t bytes, std::size_t messages) {
   cell.messages = messages;
   cell.tries = 0;
   cell.retry_at = 0;
+  cell.lost = cell.doubtful = false;
   cell.failure = {};
   again_.erase(from);
   stale_.erase(from);
@@ -289,15 +351,25 @@ void Chunks::failed(Tick from, const map::Failure& failure, Millis now) {
   Cell& cell = at(from);
   cell.under_way = false;
   if (isTooLong(failure) && cell.until - cell.from > 1) {
-    split(from);
+    split(from, cell.doubtful);
     return;
   }
   // Some robots refuse times outside of the bag: then there is nothing. One that may only be busy has to
   // refuse repeatedly.
-  const bool believed = !map::mayPass(failure) || cell.tries + 1 >= kBelievedTries;
-  if (cell.beyond && failure.kind == map::FailureKind::RejectedByRobot && believed) {
+  const bool rejected = failure.kind == map::FailureKind::RejectedByRobot;
+  const bool for_good = rejected && !map::mayPass(failure);
+  const bool believed = for_good || cell.tries + 1 >= kBelievedTries;
+  if (cell.beyond && rejected && believed) {
     read(from, 0, 0);
     return;
+  }
+  if (isOfRange(failure) && !cell.beyond && cell.state != CellState::Read) {
+    if ((believed || cell.doubtful) && mayDivide(cell)) {
+      ++divided_;
+      split(from, true);
+      return;
+    }
+    cell.lost = believed || (cell.doubtful && cell.tries + 1 >= kBelievedTriesOfDoubtful);
   }
   if (cell.state != CellState::Read) cell.state = CellState::Failed;
   const int doublings = std::min(cell.tries++, 10);
@@ -309,11 +381,18 @@ void Chunks::retryNow() {
   for (auto& [from, cell] : cells_) cell.retry_at = 0;
 }
 
-void Chunks::split(Tick from) {
+void Chunks::split(Tick from, bool doubtful) {
   const Cell whole = at(from);
   cells_.erase(from);
   const Tick half = powerOfTwo(double(whole.until - whole.from - 1));
   addCells(whole.from, whole.until, half, whole.beyond);
+  for (auto part = cells_.find(from); part != cells_.end() && part->first < whole.until; ++part)
+    part->second.doubtful = doubtful;
+}
+
+bool Chunks::mayDivide(const Cell& cell) const {
+  return cell.until - cell.from > kShortestDoubt &&
+         divided_ < (messagesRead() > 0 ? kMostDivided : kMostDividedOfNothing);
 }
 
 void Chunks::shorten(Tick longest) {
@@ -333,6 +412,43 @@ bool Chunks::readUntil(double at_s) const {
   const Tick last = tickOf(at_s);
   return std::all_of(cells_.begin(), cells_.upper_bound(last),
                      [](const auto& entry) { return entry.second.state == CellState::Read; });
+}
+
+bool Chunks::settledUntil(double at_s) const {
+  return std::all_of(cells_.begin(), cells_.upper_bound(tickOf(at_s)), [](const auto& entry) {
+    return entry.second.state == CellState::Read || entry.second.lost;
+  });
+}
+
+const Cell* Chunks::obstacleUntil(double at_s) const {
+  const Cell* lost = nullptr;
+  bool nothing = true;
+  for (auto it = cells_.begin(); it != cells_.upper_bound(tickOf(at_s)); ++it) {
+    const Cell& cell = it->second;
+    if (cell.lost && !lost) lost = &cell;
+    if (cell.state == CellState::Read || cell.lost) {
+      nothing &= cell.messages == 0;
+    } else if (cell.tries > 0) {
+      return &cell;
+    } else {
+      nothing = false;  // it may have some
+    }
+  }
+  return nothing ? lost : nullptr;
+}
+
+bool Chunks::wholeSettled() const { return settledUntil(kLastS); }
+
+std::vector<Hole> Chunks::holes(double from_s, double until_s) const {
+  std::vector<Hole> holes;
+  for (const auto& [from, cell] : cells_) {
+    if (!cell.lost || secondsOf(cell.from) > until_s || secondsOf(cell.until) <= from_s) continue;
+    if (!holes.empty() && holes.back().until_s == secondsOf(cell.from))
+      holes.back().until_s = secondsOf(cell.until);
+    else
+      holes.push_back({secondsOf(cell.from), secondsOf(cell.until), cell.failure});
+  }
+  return holes;
 }
 
 const Cell* Chunks::gapUntil(double at_s) const {

@@ -70,11 +70,25 @@ struct Cell {
   bool held = false;       // its messages are in memory
   bool under_way = false;  // asked for (again)
   bool beyond = false;     // before the start or after the end stated by the robot
+  bool doubtful = false;   // part of a longer range that the robot refused
+  bool lost = false;  // refused, and not to be divided further: a hole. Still requested again now and then
   std::size_t bytes = 0, messages = 0;
   int tries = 0;        // failed attempts in a row
   Millis retry_at = 0;  // not before
   map::Failure failure = {};
 };
+
+/// Another request would not help.
+bool isFinal(const Cell& cell);
+
+/// A part of a bag that the robot refused: nothing of it is known.
+struct Hole {
+  double from_s = 0, until_s = 0;  // from_s <= stamp < until_s
+  map::Failure failure = {};       // of its first range
+  bool operator==(const Hole&) const = default;
+};
+/// "Not all of it can be read: 2024-06-03 09:12:34.000 to 09:12:35.000 UTC is missing: …". At least one.
+Fault faultOf(const std::vector<Hole>& holes);
 
 struct ChunksOptions {
   double messages_per_cell = 800;
@@ -130,7 +144,9 @@ class Chunks {
   void cancelled(Tick from);
   void read(Tick from, std::size_t bytes, std::size_t messages);
   void dropped(Tick from);
-  /// An answer that is too long splits the range into two. A range beyond the stated times that the robot
+  /// An answer that is too long splits the range into two. So does one that the robot refuses or that cannot
+  /// be read, down to about a second, as long as the number of requests stays bounded: a bag that is damaged
+  /// in one place is refused wherever that place is asked for. A range beyond the stated times that the robot
   /// refuses counts as empty.
   void failed(Tick from, const map::Failure& failure, Millis now);
   /// Requests failed ranges again at once.
@@ -138,16 +154,25 @@ class Chunks {
 
   /// Everything up to `at_s` has been read.
   bool readUntil(double at_s) const;
+  /// Everything up to `at_s` has been read or is lost: then more will not be known.
+  bool settledUntil(double at_s) const;
   /// The first failed range up to `at_s`.
   const Cell* gapUntil(double at_s) const;
+  /// The first failed range up to `at_s` that is not lost; if everything up to there is lost that has any
+  /// messages, the first of these. It ends a reading once it is final.
+  const Cell* obstacleUntil(double at_s) const;
   bool wholeRead() const;
+  bool wholeSettled() const;
+  /// What is lost of from_s <= t <= until_s, by time; adjacent ranges as one.
+  std::vector<Hole> holes(double from_s, double until_s) const;
   bool anyFailed() const;
   std::size_t messagesRead() const;
   std::size_t heldBytes() const;
 
  private:
   void addCells(Tick from, Tick until, Tick length, bool beyond);
-  void split(Tick from);
+  void split(Tick from, bool doubtful);
+  bool mayDivide(const Cell& cell) const;
   void shorten(Tick longest);
   std::vector<Tick> wantedCells() const;
   Cell& at(Tick from) { return cells_.at(from); }
@@ -159,6 +184,7 @@ class Chunks {
   std::vector<Tick> needed_;
   std::set<Tick> again_;
   std::set<Tick> stale_;
+  int divided_ = 0;  // refused ranges
 };
 
 }  // namespace mapwright::replay

@@ -8,7 +8,6 @@
 namespace mapwright::replay {
 namespace {
 
-constexpr int kTries = 3;
 constexpr double kBeforeAllS = -1e300;
 
 robot::BagChunkPtr nothingIn(const Cell& cell) {
@@ -230,11 +229,11 @@ Moment Reading::moment() {
   ChunkPtr chunk = chunkAt(from);
   if (!chunk && here->tries > 0) chunk = made(nothingIn(*here)).chunk;
   if (!chunk) return moment;
-  const bool complete = chunks_->readUntil(*at_s);
+  const bool complete = chunks_->readUntil(*at_s), settled = chunks_->settledUntil(*at_s);
   moment.at = worldAt(index_, from, *chunk, *at_s, complete,
                       [this](Tick other, std::uint32_t place) { return contentAt(other, place); });
   moment.topics = topicsAt(index_, from, *chunk, *at_s, complete);
-  moment.knowledge = complete && moment.at.missing.empty() ? Knowledge::Exact : Knowledge::LookingBack;
+  moment.knowledge = settled && moment.at.missing.empty() ? Knowledge::Exact : Knowledge::LookingBack;
   // What the world uses must stay in memory, otherwise it would be requested at every step.
   std::vector<Tick> needed = moment.at.missing;
   for (const auto& [slot, source] : moment.at.sources) {
@@ -246,12 +245,6 @@ Moment Reading::moment() {
   chunks_->need(std::move(needed));
   proceed();
   return moment;
-}
-
-bool isFinal(const Cell& cell) {
-  const bool rejected = cell.failure.kind == map::FailureKind::RejectedByRobot && !map::mayPass(cell.failure);
-  return cell.tries >= kTries || rejected || cell.failure.kind == map::FailureKind::Refused ||
-         cell.failure.kind == map::FailureKind::Certificate;
 }
 
 RangeWalk::RangeWalk(Reading& reading, std::optional<double> from_s, std::optional<double> to_s)
@@ -274,13 +267,18 @@ const Cell* RangeWalk::waitsFor() const { return next_s_ ? reading_.chunks().cel
 
 ChunkPtr RangeWalk::next() {
   // Ranges may have been merged or split meanwhile.
-  const Cell* const cell = waitsFor();
+  const Cell* cell = waitsFor();
+  for (; cell && cell->lost; cell = waitsFor()) wantAfter(*cell);
   ChunkPtr chunk = cell ? reading_.chunkAt(cell->from) : nullptr;
   if (!chunk) return nullptr;
-  const auto& cells = reading_.chunks().cells();
-  const auto after = cells.upper_bound(cell->from);
-  wantNext(after == cells.end() ? nullptr : &after->second);
+  wantAfter(*cell);
   return chunk;
+}
+
+void RangeWalk::wantAfter(const Cell& cell) {
+  const auto& cells = reading_.chunks().cells();
+  const auto after = cells.upper_bound(cell.from);
+  wantNext(after == cells.end() ? nullptr : &after->second);
 }
 
 double RangeWalk::share() const {

@@ -72,7 +72,7 @@ class Reading : public QObject {
   void lookAgain();
 
   /// The state at the wanted time, as far as it is known. May request missing data. In a gap (a failed range)
-  /// the state stays as before and is never Exact.
+  /// the state stays as before, and is not Exact unless the gap is lost for good.
   Moment moment();
   /// The chunk of a range; null if it is not in memory.
   ChunkPtr chunkAt(Tick from) const;
@@ -124,11 +124,9 @@ class Reading : public QObject {
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // replies may outlive this object
 };
 
-/// Another request would not help.
-bool isFinal(const Cell& cell);
-
 /// Iterates over the ranges of a bag in order, each as soon as it has been read: for a single pass over a
-/// part of it. Requests nothing else.
+/// part of it. Requests nothing else. Passes over what is lost (Chunks::holes), so that it may be over after
+/// next() returned null.
 class RangeWalk {
  public:
   /// The ranges that overlap `from_s` to `to_s`; without limits all of them, whatever times are stated.
@@ -146,6 +144,7 @@ class RangeWalk {
 
  private:
   void wantNext(const Cell* cell);
+  void wantAfter(const Cell& cell);
 
   Reading& reading_;
   std::optional<double> from_s_, to_s_, next_s_;

@@ -1,6 +1,7 @@
 #include "replay/replay_robot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QPointer>
@@ -242,9 +243,11 @@ void ReplayRobot::open(robot::BagKey key) {
   });
   connect(reading_.get(), &Reading::failed, this, &ReplayRobot::refuse);
   connect(reading_.get(), &Reading::changed, this, [this] {
-    if (!at_s_ || knowledge_ == Knowledge::Exact) return;
+    const QPointer<ReplayRobot> alive(this);
+    reportHoles();
+    if (!alive || !at_s_ || knowledge_ == Knowledge::Exact) return;
     // While looking back, computing the world of each range on the way would cost more than it shows.
-    if (knowledge_ == Knowledge::Buffering || reading_->chunks().readUntil(*at_s_)) {
+    if (knowledge_ == Knowledge::Buffering || reading_->chunks().settledUntil(*at_s_)) {
       jump();
     } else if (!look_again_.isActive()) {
       look_again_.start(kLookAgainMs);
@@ -283,7 +286,22 @@ void ReplayRobot::goTo(double at_s) {
   if (at_s_ && at_s >= *at_s_ && knowledge_ == Knowledge::Exact && playTo(at_s)) return;
   at_s_ = at_s;
   reading_->want(at_s);
-  jump();
+  const QPointer<ReplayRobot> alive(this);
+  reportHoles();
+  if (alive) jump();
+}
+
+void ReplayRobot::reportHoles() {
+  if (!reading_ || !reading_->info() || !at_s_) return;
+  std::vector<Hole> holes = reading_->chunks().holes(-HUGE_VAL, *at_s_);
+  if (holes == reported_) return;
+  reported_ = std::move(holes);
+  const map::Subject bag = subjectOf(reading_->key());
+  if (reported_.empty()) {
+    Q_EMIT recovered({bag, map::ProblemCode::Unavailable});
+  } else {
+    Q_EMIT problemFound({map::Severity::Warning, bag, faultOf(reported_), map::ProblemCode::Unavailable});
+  }
 }
 
 bool ReplayRobot::playTo(double at_s) {

@@ -83,6 +83,8 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   void open(robot::BagKey key);
   void refuse(const map::Failure& failure);
   void jump();
+  /// Reports what is lost until now, once.
+  void reportHoles();
   void fetchPicture(const map::GridMessage& grid, const std::string& url);
   bool playTo(double at_s);
   void takeMapInfo(const std::optional<map::MapInfo>& info);
@@ -103,6 +105,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   QTimer look_again_;
   std::optional<double> at_s_;
   Knowledge knowledge_ = Knowledge::Buffering;
+  std::vector<Hole> reported_;
   std::map<std::string, double> topics_;
   struct Picture {
     std::uint64_t number = 0;

@@ -78,7 +78,7 @@ struct BagRepair {
 /// General information about a bag. Seconds since the epoch; robots round them: the last message may be after
 /// end_s. An empty bag has no times, or equal ones.
 struct BagInfo {
-  std::int64_t messages = 0;
+  std::optional<std::int64_t> messages = 0;  // nullopt: the robot does not say
   double start_s = 0, end_s = 0;
   // Of files alone.
   bool interrupted = false;  // its end is missing: the writer was interrupted, or is still writing

@@ -26,7 +26,8 @@ struct Recorded {
   bool latched;
 };
 constexpr std::string_view kScans = "/scan_matched_points2";
-constexpr std::array<Recorded, 19> kRecorded{{{"/map/info", 1, Rhythm::Once, true},
+constexpr std::string_view kMapImage = "/map_image";
+constexpr std::array<Recorded, 25> kRecorded{{{"/map/info", 1, Rhythm::Once, true},
                                               {"/robot_model", 1, Rhythm::Once, true},
                                               {"/sensor_manager_state", 1, Rhythm::Once, true},
                                               {"/tracked_pose", 0.1, Rhythm::Again, false},
@@ -44,7 +45,50 @@ constexpr std::array<Recorded, 19> kRecorded{{{"/map/info", 1, Rhythm::Once, tru
                                               {"/landmarks", 30, Rhythm::Again, false},
                                               {"/nearby_auto_doors", 1, Rhythm::WhenNew, false},
                                               {"/detected_pallets", 1, Rhythm::WhenNew, false},
-                                              {kSubmapListTopic, 10, Rhythm::Again, false}}};
+                                              {kSubmapListTopic, 10, Rhythm::Again, false},
+                                              // In one of all that robots latch.
+                                              {kMapImage, 1, Rhythm::Once, true},
+                                              {"/detected_features/racks_v2", 1, Rhythm::Once, true},
+                                              {"/detected_features/pallets", 1, Rhythm::Once, true},
+                                              {"/detected_features/chargers", 1, Rhythm::Once, true},
+                                              {"/jack_state", 1, Rhythm::Once, true},
+                                              {"/towing_state", 1, Rhythm::Once, true}}};
+constexpr std::size_t kUsualTopics = 19;
+
+/// Of the topics after the usual ones.
+std::string latchedContent(std::string_view topic, const MapPicturePtr& picture) {
+  Value::Object message{{"topic", topic}};
+  const auto thing = [](double x, double y, double yaw) {
+    return Value::Object{{"frame", "map"},
+                         {"pose", Value::Object{{"pos", Value::List{x, y}}, {"ori", yaw}}},
+                         {"size", Value::Object{{"width", 0.8}, {"depth", 1.2}}}};
+  };
+  if (topic == kMapImage) {
+    if (!picture) return {};
+    message.emplace_back("resolution", picture->resolution_m);
+    message.emplace_back("size", Value::List{picture->width, picture->height});
+    message.emplace_back("origin", Value::List{picture->origin_m.x(), picture->origin_m.y()});
+    message.emplace_back("data", Value::Bytes{*picture->png});
+  } else if (topic == "/jack_state") {
+    message.emplace_back("state", "hold");
+    message.emplace_back("progress", 0.35);
+    message.emplace_back("self_checking", false);
+    message.emplace_back("weight", 120);
+  } else if (topic == "/towing_state") {
+    message.emplace_back("state", "locked");
+    message.emplace_back("action_progress", 1.0);
+    message.emplace_back("cargo_detected", true);
+    message.emplace_back("error_code", 0);
+    message.emplace_back("error_message", "");
+  } else if (topic.ends_with("racks_v2")) {
+    message.emplace_back("racks", Value::List{thing(3, 2, 0), thing(5, 2, 1.5)});
+  } else if (topic.ends_with("pallets")) {
+    message.emplace_back("pallets", Value::List{thing(4, 3, 0)});
+  } else {
+    message.emplace_back("poses", Value::List{Value::Object{{"pos", Value::List{1.0, 1.0}}, {"ori", 0.5}}});
+  }
+  return toJson(message);
+}
 
 std::string contentOf(std::string_view topic, const RobotState& then, const std::optional<StoredMap>& map,
                       std::uint32_t seed) {
@@ -70,9 +114,11 @@ double timeOf(std::int64_t stamp_ms) { return static_cast<double>(stamp_ms) / 10
 class BagRecording {
  public:
   /// `state` is only used for its past; `map` is the robot's map at that time.
-  BagRecording(const RobotState& state, std::optional<StoredMap> map, std::uint32_t seed, BagSpan span)
-      : state_(state), map_(std::move(map)), seed_(seed) {
-    for (std::size_t topic = 0; topic < kRecorded.size(); ++topic) {
+  BagRecording(const RobotState& state, std::optional<StoredMap> map, MapPicturePtr picture,
+               std::uint32_t seed, BagSpan span)
+      : state_(state), map_(std::move(map)), picture_(std::move(picture)), seed_(seed) {
+    const std::size_t topics = span.quirk == BagQuirk::Latched ? kRecorded.size() : kUsualTopics;
+    for (std::size_t topic = 0; topic < topics; ++topic) {
       const Recorded& recorded = kRecorded[topic];
       const double period_s = recorded.topic == kScans && span.every_scan ? kEveryScanS : recorded.period_s;
       // What comes once comes when the recording begins.
@@ -83,10 +129,7 @@ class BagRecording {
         const std::int64_t at_ms = stampMs(span.from_s + phase_s + i * period_s);
         const Tick tick{at_ms, at_ms, topic};
         if (recorded.rhythm != Rhythm::Again || i == 0) {
-          std::string now =
-              recorded.topic == kSubmapListTopic
-                  ? submapsOf(state)
-                  : contentOf(recorded.topic, state.recordedAt(timeOf(tick.true_ms)), map_, seed);
+          std::string now = contentAt(tick);
           if (now.empty()) break;  // a robot that has no such topic
           if (i > 0 && now == last) continue;
           last = std::move(now);
@@ -105,6 +148,12 @@ class BagRecording {
   /// message may be after endTime().
   std::int64_t startTime() const { return ticks_.empty() ? 0 : ticks_.front().stamp_ms / 1000; }
   std::int64_t endTime() const { return ticks_.empty() ? 0 : ticks_.back().stamp_ms / 1000 - silent_s_; }
+
+  /// Whether a range contains what cannot be read.
+  bool isDamaged(double from, double until) const {
+    const double damaged = static_cast<double>(damaged_ms_) / 1000;
+    return damaged_ms_ > 0 && from <= damaged && damaged <= until;
+  }
 
   enum class End { Inclusive, Exclusive };
   /// A JSON list of the messages in [from, until] (epoch seconds), preceded by the last one of each latched
@@ -168,14 +217,26 @@ class BagRecording {
       case BagQuirk::Empty:
         ticks_.clear();
         break;
+      case BagQuirk::Damaged:
+      case BagQuirk::Unreadable:
+        damaged_ms_ = ticks_[middle].stamp_ms;
+        break;
+      case BagQuirk::Uncounted:
+      case BagQuirk::Latched:
+        break;
     }
+  }
+
+  std::string contentAt(const Tick& tick) const {
+    const std::string_view topic = kRecorded[tick.topic].topic;
+    if (tick.topic >= kUsualTopics) return latchedContent(topic, picture_);
+    if (topic == kSubmapListTopic) return submapsOf(state_);
+    return contentOf(topic, state_.recordedAt(timeOf(tick.true_ms)), map_, seed_);
   }
 
   std::string textOf(const Tick& tick) const {
     const Recorded& recorded = kRecorded[tick.topic];
-    std::string text = recorded.topic == kSubmapListTopic
-                           ? submapsOf(state_)
-                           : contentOf(recorded.topic, state_.recordedAt(timeOf(tick.true_ms)), map_, seed_);
+    std::string text = contentAt(tick);
     text.pop_back();  // the closing brace
     text += ",\"__stamp\":";
     appendJsonFixed(text, static_cast<double>(tick.stamp_ms) / 1000, 3);
@@ -184,9 +245,11 @@ class BagRecording {
 
   const RobotState& state_;
   const std::optional<StoredMap> map_;
+  const MapPicturePtr picture_;
   const std::uint32_t seed_;
-  std::vector<Tick> ticks_;    // as recorded
-  std::int64_t silent_s_ = 0;  // after the stated end
+  std::vector<Tick> ticks_;      // as recorded
+  std::int64_t silent_s_ = 0;    // after the stated end
+  std::int64_t damaged_ms_ = 0;  // of the epoch; 0: it is sound
 };
 
 namespace {
@@ -206,7 +269,11 @@ constexpr OddBag kOddBags[] = {{"eight_hours.bag", 8 * 3600, BagQuirk::None},
                                {"gap.bag", kBagS, BagQuirk::Gap},
                                {"ends_late.bag", kBagS, BagQuirk::EndsLate},
                                {"one_message.bag", kBagS, BagQuirk::OneMessage},
-                               {"empty.bag", kBagS, BagQuirk::Empty}};
+                               {"empty.bag", kBagS, BagQuirk::Empty},
+                               {"damaged.bag", kBagS, BagQuirk::Damaged},
+                               {"unreadable.bag", kBagS, BagQuirk::Unreadable},
+                               {"uncounted.bag", kBagS, BagQuirk::Uncounted},
+                               {"latched.bag", kBagS, BagQuirk::Latched}};
 constexpr std::size_t kBagHeaderBytes = 4096;
 constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                    "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
@@ -390,9 +457,12 @@ HttpAnswer player(const Robot& robot, const Request& request) {
     if (*until < *from) return playerError("end_time lies before start_time.");
   }
   const std::shared_ptr<const BagRecording> recording = robot.bags.recordingOf(*bag);
-  Value body = Value::Object{{"total_messages", recording->messages()},
-                             {"start_time", recording->startTime()},
-                             {"end_time", recording->endTime()}};
+  if (!whole && recording->isDamaged(*from, *until)) {
+    if (bag->span.quirk == BagQuirk::Unreadable) return errorAnswer(500, "The bag file cannot be read.");
+    return playerError("The bag file is corrupted: a chunk cannot be read.");
+  }
+  Value body = Value::Object{{"start_time", recording->startTime()}, {"end_time", recording->endTime()}};
+  if (bag->span.quirk != BagQuirk::Uncounted) body.set("total_messages", recording->messages());
   const auto end_of =
       robot.options.bags.end_exclusive ? BagRecording::End::Exclusive : BagRecording::End::Inclusive;
   if (!whole) body.set("messages", Value::Json{recording->messagesJson(*from, *until, end_of)});
@@ -418,7 +488,7 @@ constexpr Route kBagRoutes[] = {{"GET", "/bags/", listBags<kBags>},
 
 }  // namespace
 
-BagStore::BagStore(const RobotState& state, const MapLibrary& library, const Options& options)
+BagStore::BagStore(const RobotState& state, MapLibrary& library, const Options& options)
     : state_(state), library_(library), options_(options) {
   recordings_.push_back(recordingUntil(-1013, 120, "7002", true));
   Bag corrupt = recordingUntil(-86'400, 60, "1008", false);
@@ -489,7 +559,9 @@ void BagStore::removeAll(BagFolder folder) {
 
 std::shared_ptr<const BagRecording> BagStore::recordingOf(const Bag& bag) {
   return read_.get(bag.span, [&] {
-    return std::make_shared<const BagRecording>(state_, library_.atFirst(), options_.seed, bag.span);
+    return std::make_shared<const BagRecording>(
+        state_, library_.atFirst(), bag.span.quirk == BagQuirk::Latched ? library_.livePicture() : nullptr,
+        options_.seed, bag.span);
   });
 }
 

@@ -25,6 +25,10 @@ enum class BagQuirk {
   EndsLate,      // it continues for half a minute after its stated end
   OneMessage,
   Empty,
+  Damaged,     // in its middle: a range that contains that second is refused with 400
+  Unreadable,  // the same, with 500
+  Uncounted,   // how many messages it has is not told
+  Latched,     // all that robots latch in bags is in it
 };
 
 /// Simulated seconds.
@@ -50,7 +54,7 @@ struct Options;
 /// Safe from any thread. Every ten minutes of simulated time are one bag; the newest dozen are kept.
 class BagStore {
  public:
-  BagStore(const RobotState& state, const MapLibrary& library, const Options& options);
+  BagStore(const RobotState& state, MapLibrary& library, const Options& options);
 
   std::vector<Bag> list(BagFolder folder) const;  // oldest first
   std::optional<Bag> find(BagFolder folder, std::string_view name) const;
@@ -69,7 +73,7 @@ class BagStore {
   std::vector<Bag> bags() const;
 
   const RobotState& state_;
-  const MapLibrary& library_;
+  MapLibrary& library_;
   const Options& options_;
   mutable std::mutex mutex_;
   std::set<std::string, std::less<>> removed_;  // bags

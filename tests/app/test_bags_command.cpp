@@ -614,6 +614,74 @@ class BagsCommandTest : public QObject {
     }
   }
 
+  /// One second cannot be read: all else is given, and the second is named.
+  void aDamagedBagIsReadButForItsDamage_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("status");
+    QTest::newRow("refused") << "damaged.bag"
+                             << "400";
+    QTest::newRow("fails") << "unreadable.bag"
+                           << "500";
+  }
+  void aDamagedBagIsReadButForItsDamage() {
+    QFETCH(QString, name);
+    QFETCH(QString, status);
+    const auto info = run(QStringLiteral("info %1 --json").arg(name)).object();
+    const double start = info[QStringLiteral("start")].toDouble(),
+                 end = info[QStringLiteral("end")].toDouble();
+    const auto told = [&](const QString& line) {
+      const Outcome done = run(line);
+      const bool all = done.code == 1 && done.err.contains("is missing") &&
+                       done.err.contains("the robot answered " + status.toLatin1());
+      if (!all) qWarning("%s: %d %s", qPrintable(line), done.code, done.err.constData());
+      return std::pair(all, done);
+    };
+    const auto [frames_told, frames] = told(QStringLiteral("frames ") + name);
+    QVERIFY(frames_told);
+    QList<double> stamps;
+    for (const QJsonObject& message : frames.lines()) stamps << stampOf(message);
+    QVERIFY(stamps.size() > info[QStringLiteral("messages")].toInt() - 60);
+    QVERIFY(stamps.first() < start + 1 && stamps.last() > end - 1);
+    double longest = 0;
+    for (qsizetype i = 1; i < stamps.size(); ++i) longest = std::max(longest, stamps[i] - stamps[i - 1]);
+    QVERIFY(longest > 0.9 && longest < 1.6);
+    const auto [events_told, events] = told(QStringLiteral("events --json ") + name);
+    QVERIFY(events_told && !events.array().isEmpty());
+    for (const char* command :
+         {"track %1 --force -o t.csv", "export %1 --force -o e.jsonl", "export %1 --force -o e.mcap"}) {
+      QVERIFY(told(QString::fromLatin1(command).arg(name)).first);
+    }
+    QVERIFY(program_.bytes("t.csv").count('\n') > 5000);
+    // What lies before the damage has nothing to do with it.
+    const QString before = QString::number(start + 100, 'f', 3), after = QString::number(end - 5, 'f', 3);
+    QCOMPARE(run(QStringLiteral("frames %1 --to %2").arg(name, before)).code, 0);
+    QCOMPARE(run(QStringLiteral("state %1 --at %2").arg(name, before)).code, 0);
+    const auto [state_told, state] = told(QStringLiteral("state %1 --json --at %2").arg(name, after));
+    QVERIFY(state_told && state.object()[QStringLiteral("pose")].isObject());
+    QVERIFY(told(QStringLiteral("report %1 --at %2 --force -o r.html").arg(name, after)).first);
+    QVERIFY(program_.bytes("r.html").contains("is missing"));
+    QVERIFY(told(QStringLiteral("snapshot %1 --at %2 --mode whole -o s.png").arg(name, after)).first);
+  }
+
+  void whatARobotDoesNotCountIsUnknown() {
+    QVERIFY(run(QStringLiteral("info uncounted.bag --json")).object()[QStringLiteral("messages")].isNull());
+    QVERIFY(run(QStringLiteral("info uncounted.bag")).out.contains("unknown"));
+    QVERIFY(run(QStringLiteral("frames uncounted.bag")).lines().size() > 5000);
+    QCOMPARE(run(QStringLiteral("info empty.bag --json")).object()[QStringLiteral("messages")].toInt(-1), 0);
+  }
+
+  /// The map that a bag latches is drawn as one that it holds.
+  void theLatchedMapIsDrawn() {
+    const double end =
+        run(QStringLiteral("info latched.bag --json")).object()[QStringLiteral("end")].toDouble();
+    const auto drawn =
+        run(QStringLiteral("snapshot latched.bag --mode whole --layers grid --report m.json -o m.png --at ") +
+            QString::number(end - 10, 'f', 3));
+    QVERIFY2(drawn.code == 0, drawn.err.constData());
+    const QJsonObject report = QJsonDocument::fromJson(program_.bytes("m.json")).object();
+    QCOMPARE(report[QStringLiteral("map")][QStringLiteral("id")].toString(), QStringLiteral("live"));
+  }
+
   void errorsAreSentencesWithTheirExitCodes() {
     const Outcome missing = run(QStringLiteral("state nothing.bag --at 5"));
     QCOMPARE(missing.code, 4);

@@ -203,6 +203,8 @@ class BagRobot : public QObject, public robot::BagLibrary {
   std::size_t most_messages = 1'000'000;  // in an answer; more are "too long"
   int fail_next = 0;                      // so many requests fail
   std::string busy_code;                  // with this answer of the robot; empty = without one
+  std::vector<double> damaged_s;          // ranges that contain one of these stamps are refused
+  std::string damaged_code = "400";       // with this answer
   int asked = 0, at_once = 0, most_at_once = 0, cancelled = 0;
   bool holds_back = false;  // answers nothing until release()
   int answers_first = 0;    // which it answers all the same, if it holds back
@@ -294,6 +296,13 @@ class BagRobot : public QObject, public robot::BagLibrary {
                                               .subject = robot::subjectOf(key),
                                               .robot_code = busy_code});
     }
+    const bool damaged = std::any_of(damaged_s.begin(), damaged_s.end(),
+                                     [&](double s) { return s >= range.from_s && s < range.until_s; });
+    if (damaged)
+      return tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                              .subject = robot::subjectOf(key),
+                                              .robot_code = damaged_code,
+                                              .detail = "The bag is corrupted."});
     const robot::BagInfo told = infoOf();
     const double first_s = std::min(told.start_s, told.end_s), last_s = std::max(told.start_s, told.end_s);
     if (refuses_beyond && (range.from_s > last_s || range.until_s <= first_s))

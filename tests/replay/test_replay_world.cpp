@@ -1,4 +1,5 @@
 // The world of a bag at a time is the same whichever way one came there.
+#include <algorithm>
 #include <utility>
 
 #include <QCoreApplication>
@@ -52,7 +53,7 @@ class Player {
     waitFor([&] {
       // While much is missing there is no need to look each time.
       if (!std::exchange(changed, false)) return false;
-      if (!reading.chunks().readUntil(at_s)) return false;
+      if (!reading.chunks().settledUntil(at_s)) return false;
       moment = reading.moment();
       return moment.knowledge == Knowledge::Exact;
     });
@@ -306,6 +307,106 @@ class ReplayWorldTest : public QObject {
     QVERIFY(Player::waitFor([&] { return gap.has_value(); }));
     QCOMPARE(int(gap->kind), int(map::FailureKind::TimedOut));
     QVERIFY(player.exactly(at_s).at.world == foldedUntil(bag, at_s));
+  }
+
+  void aRefusedRangeIsDividedUntilOnlyTheDamageIsMissing_data() {
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<int>("damages");
+    for (const char* code : {"400", "500"}) {
+      for (const int damages : {1, 3}) QTest::addRow("%s, %d", code, damages) << QString::fromLatin1(code) << damages;
+    }
+  }
+  /// Read in one pass, as a whole, and by jumps: all that no damaged second holds comes once.
+  void aRefusedRangeIsDividedUntilOnlyTheDamageIsMissing() {
+    QFETCH(QString, code);
+    QFETCH(int, damages);
+    BagWish wish;
+    wish.messages = 3000;
+    const Bag bag = makeBag(wish);
+    std::mt19937 random(unsigned(damages) + 7);
+    BagRobot robot(bag);
+    robot.damaged_code = code.toStdString();
+    for (int i = 0; i < damages; ++i) robot.damaged_s.push_back(bag[200 + random() % 2600].stamp_s);
+    Reading::Options options;
+    options.chunks.first_retry_ms = 1;
+    options.chunks.last_retry_ms = 2;
+    options.chunks.messages_per_cell = 1000;
+    Player player(robot, options);
+    player.reading.want(1e300);
+    QVERIFY(Player::waitFor([&] { return player.reading.chunks().wholeSettled(); }));
+    QVERIFY(!player.reading.chunks().obstacleUntil(1e300));
+    const auto holes = player.reading.chunks().holes(-1e300, 1e300);
+    QVERIFY(!holes.empty() && int(holes.size()) <= damages);
+    double lost_s = 0;
+    std::size_t left = bag.size();
+    for (const Hole& hole : holes) {
+      lost_s += hole.until_s - hole.from_s;
+      for (const Recorded& each : bag) left -= each.stamp_s >= hole.from_s && each.stamp_s < hole.until_s;
+    }
+    QVERIFY(lost_s <= damages);
+    QVERIFY(std::all_of(robot.damaged_s.begin(), robot.damaged_s.end(), [&](double s) {
+      return std::any_of(holes.begin(), holes.end(),
+                         [&](const Hole& hole) { return hole.from_s <= s && s < hole.until_s; });
+    }));
+    QCOMPARE(player.reading.chunks().messagesRead(), left);
+    QVERIFY(robot.asked < 40 + 60 * damages);
+
+    // A pass ends by itself and gives the same messages.
+    Reading::Options once = options;
+    once.chunks.look_back = false;
+    Player passing(robot, once);
+    RangeWalk walk(passing.reading, std::nullopt, std::nullopt);
+    std::size_t passed = 0;
+    QVERIFY(Player::waitFor([&] {
+      while (const ChunkPtr chunk = walk.next()) passed += chunk->order.size();
+      return walk.over();
+    }));
+    QCOMPARE(passed, left);
+    QVERIFY(passing.reading.chunks().holes(-1e300, 1e300) == holes);
+
+    // What came last before and after a hole is known there.
+    Player jumping(robot, options);
+    const double after_s = holes.front().until_s + 0.5;
+    QCOMPARE(int(jumping.exactly(after_s).knowledge), int(Knowledge::Exact));
+    Bag sound;
+    for (const Recorded& each : bag) {
+      const bool lost = std::any_of(holes.begin(), holes.end(), [&](const Hole& hole) {
+        return each.stamp_s >= hole.from_s && each.stamp_s < hole.until_s;
+      });
+      if (!lost) sound.push_back(each);
+    }
+    const map::World known = jumping.exactly(holes.front().from_s - 0.001).at.world;
+    QVERIFY(known == foldedUntil(bag, holes.front().from_s - 0.001));
+    QVERIFY(jumping.exactly(after_s).at.world.live.robot_pose == foldedUntil(sound, after_s).live.robot_pose);
+  }
+
+  /// Of a bag of which nothing can be read few ranges are asked for.
+  void aBagThatIsRefusedAltogetherEndsSoon() {
+    const Bag bag = makeBag({});
+    for (const char* code : {"400", "404"}) {
+      BagRobot robot(bag);
+      robot.damaged_code = code;
+      for (const Recorded& each : bag) robot.damaged_s.push_back(each.stamp_s);
+      Reading::Options options;
+      options.chunks.first_retry_ms = 1;
+      Player player(robot, options);
+      player.reading.want(1e300);
+      const Cell* obstacle = nullptr;
+      QVERIFY(Player::waitFor([&] {
+        obstacle = player.reading.chunks().obstacleUntil(1e300);
+        return obstacle && isFinal(*obstacle);
+      }));
+      QCOMPARE(obstacle->failure.robot_code, std::string(code));
+      QVERIFY2(robot.asked < 400, std::to_string(robot.asked).c_str());
+    }
+  }
+
+  void theRefusedPartsAreNamed() {
+    const map::Failure refused{
+        .kind = map::FailureKind::RejectedByRobot, .robot_code = "400", .detail = "Broken."};
+    const std::string words = inEnglish(faultOf({{1'717'405'200, 1'717'405'201, refused}}));
+    for (const char* part : {"2024-06-03 09:00:00.000", "09:00:01.000 UTC", "Broken"})
+      QVERIFY2(words.find(part) != std::string::npos, words.c_str());
   }
 
   void whatHappenedIsToldInOrder() {

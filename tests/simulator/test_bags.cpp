@@ -335,6 +335,25 @@ class TestBags : public QObject {
     QVERIFY(stamps(late).back() > late[QLatin1String("end_time")].toDouble() + 29);
   }
 
+  void damagedBagsRefuseTheRangesThatHoldTheDamage() {
+    Options options = paused();
+    options.bags.odd = true;
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    for (const auto& [name, status] : {std::pair("damaged.bag", 400), {"unreadable.bag", 500}}) {
+      const std::string bag = std::string("/bags/") + name;
+      const QJsonObject info = object(raw::get(robot.port(), bag + "/player").body);
+      double from = info[QLatin1String("start_time")].toDouble();
+      double until = info[QLatin1String("end_time")].toDouble() + 1;
+      QCOMPARE(window(robot, from, until, bag).status, status);
+      int refused = 0;
+      for (double s = from; s < until; s += 10) refused += window(robot, s, s + 9.9, bag).status == status;
+      QVERIFY(refused <= 1);
+    }
+    QVERIFY(!object(raw::get(robot.port(), "/bags/uncounted.bag/player").body)
+                 .contains(QLatin1String("total_messages")));
+  }
+
   void aBagOfEightHoursIsMadeRangeByRange() {
     Options options = paused();
     options.bags.odd = true;

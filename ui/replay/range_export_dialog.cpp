@@ -294,6 +294,7 @@ void RangeExportDialog::take(const excerpt::Ended& ended) {
     QStringList lacks;
     if (done.odd > 0)
       lacks << tr("Messages left out because they have no time stamp or cannot be read: %1.").arg(done.odd);
+    if (!ended.holes.empty()) lacks << sentences::sentenceOf(replay::faultOf(ended.holes));
     for (const Fault& loss : done.losses) lacks << sentences::sentenceOf(loss);
     Q_EMIT exported(QFileInfo(path).absoluteFilePath(), sentence);
     if (lacks.isEmpty()) return accept();

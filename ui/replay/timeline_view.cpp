@@ -147,13 +147,13 @@ QString TimelineView::wordsAt(const QPointF& px) const {
   }
   if (more > 0) lines << tr("and %1 more").arg(more);
   if (lines.isEmpty()) lines << clockText(timeAt(px.x()));
-  const double at_s = axis.timeOf(px.x());
+  const double at_s = axis.timeOf(px.x()), near_s = kNearPx / 2 * axis.secondsPerPixel();
   for (const TimelineRange& range : content_.ranges) {
-    if (range.state == RangeState::Failed && at_s >= range.from_s && at_s < range.until_s)
+    const bool here = at_s >= range.from_s - near_s && at_s < range.until_s + near_s;
+    if (range.state == RangeState::Failed && here)
       lines << tr("%1 to %2 could not be read: %3")
                    .arg(clockText(range.from_s, 0), clockText(range.until_s, 0), range.why);
   }
-  const double near_s = kNearPx / 2 * axis.secondsPerPixel();
   for (const replay::Silence& silence : content_.silences) {
     if (at_s >= silence.from_s - near_s && at_s <= silence.until_s + near_s)
       lines << tr("Nothing was recorded from %1 to %2 (%3).")
@@ -395,10 +395,18 @@ void TimelineView::paintRanges(QPainter& painter, const Rows& rows) const {
         painter.fillRect(part, with(colors.accent, 170));
         break;
       case RangeState::Failed:
-        painter.fillRect(part, with(colors.error, 60));
-        painter.fillRect(part, QBrush(colors.error, Qt::DiagCrossPattern));
         break;
     }
+  }
+  // A second that is missing in a bag of hours is seen, too.
+  for (const TimelineRange& range : content_.ranges) {
+    if (range.state != RangeState::Failed || range.until_s < axis.from_s || range.from_s > axis.until_s)
+      continue;
+    QRectF part = bar(range.from_s, range.until_s);
+    part.setWidth(std::max(part.width(), 3.0));
+    // A pattern is not seen on a narrow one.
+    painter.fillRect(part, with(colors.error, part.width() > 8 ? 60 : 255));
+    painter.fillRect(part, QBrush(colors.error, Qt::DiagCrossPattern));
   }
   for (const replay::Silence& silence : content_.silences) {
     // The band has a hole there: it was read, and it is empty.

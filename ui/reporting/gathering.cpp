@@ -122,12 +122,10 @@ bool Gathering::momentChosen() {
   if (!wanted_.at_s) {
     reading.setWhole(true);
     if (!reading.chunks().wanted()) reading.want(reading.chunks().end_s());
-    if (!reading.chunks().wholeRead()) {
-      const replay::Cell* const gap = reading.chunks().gapUntil(1e300);
-      if (gap && gap->tries >= kTries)
-        fail(QString::fromStdString(sentences::sentenceOf(gap->failure)), gap->failure.kind);
-      return false;
-    }
+    const replay::Cell* const obstacle = reading.chunks().obstacleUntil(HUGE_VAL);
+    if (obstacle && replay::isFinal(*obstacle))
+      fail(QString::fromStdString(sentences::sentenceOf(obstacle->failure)), obstacle->failure.kind);
+    if (ended_ || !reading.chunks().wholeSettled()) return false;
     double least_m = std::numeric_limits<double>::infinity();
     for (const auto& [from, digest] : reading.index().digests()) {
       for (const replay::Digest::Pose& pose : digest.poses) {
@@ -154,11 +152,11 @@ bool Gathering::momentChosen() {
 void Gathering::look() {
   if (ended_ || scene_ || !opened() || !momentChosen()) return;
   replay::Reading& reading = *replayed_->reading();
-  const replay::Cell* const gap = reading.chunks().gapUntil(run_.at_s);
-  if (!recalled_ && gap && gap->tries >= kTries)
-    return fail(QString::fromStdString(sentences::sentenceOf(gap->failure)), gap->failure.kind);
+  const replay::Cell* const obstacle = reading.chunks().obstacleUntil(run_.at_s);
+  if (obstacle && replay::isFinal(*obstacle) && (!recalled_ || obstacle->lost))
+    return fail(QString::fromStdString(sentences::sentenceOf(obstacle->failure)), obstacle->failure.kind);
   if (!recalled_) {
-    const auto all = double(std::max<std::int64_t>(run_.info.messages, 1));
+    const auto all = double(std::max<std::int64_t>(run_.info.messages.value_or(1), 1));
     Q_EMIT progressed(std::min(1.0, double(reading.chunks().messagesRead()) / all));
     return;
   }
@@ -172,8 +170,8 @@ bool Gathering::minuteRead() {
   if (!awaited_) {
     // What is wanted stays the moment: the robot may tell its state again at any time.
     reading.setWhole(true);
-    const replay::Cell* const gap = reading.chunks().gapUntil(until_s);
-    if (!reading.chunks().readUntil(until_s) && !(gap && gap->tries >= kTries)) return false;
+    const replay::Cell* const obstacle = reading.chunks().obstacleUntil(until_s);
+    if (!reading.chunks().settledUntil(until_s) && !(obstacle && replay::isFinal(*obstacle))) return false;
     reading.setWhole(false);
     std::set<replay::Tick> needed;
     for (const auto& [from, cell] : reading.chunks().cells()) {
@@ -288,6 +286,11 @@ void Gathering::takeState() {
     if (!row.resolved && row.problem.subject.kind == map::SubjectKind::Bag)
       run_.remarks << sentences::sentenceOf(row.problem);
   }
+  // What is lost up to the moment is among them.
+  const double later_s = std::nextafter(run_.at_s, HUGE_VAL);
+  if (const auto holes = reading.chunks().holes(later_s, minute_->until()); !holes.empty())
+    run_.remarks << sentences::sentenceOf(replay::faultOf(holes));
+  run_.remarks.removeDuplicates();
 }
 
 geometry::ViewTransform Gathering::chosenView() const {

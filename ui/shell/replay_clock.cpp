@@ -169,13 +169,15 @@ void ReplayClock::stepMessage(int direction) {
   auto cell = cells.find(here->from);
   while (true) {
     const replay::ChunkPtr chunk = reading->chunkAt(cell->first);
-    if (!chunk && cell->first == here->from) return;  // it is being read
+    const bool lost = !chunk && cell->second.lost;
+    if (!chunk && !lost && cell->first == here->from) return;  // it is being read
     // Go to missing data: playback continues there.
-    if (!chunk)
+    if (!chunk && !lost)
       return step((direction > 0 ? replay::secondsOf(cell->second.from)
                                  : std::min(replay::secondsOf(cell->second.until), end())) -
                   at());
-    const auto stamp_s = direction > 0 ? replay::stampAfter(*chunk, at()) : replay::stampBefore(*chunk, at());
+    std::optional<double> stamp_s;
+    if (chunk) stamp_s = direction > 0 ? replay::stampAfter(*chunk, at()) : replay::stampBefore(*chunk, at());
     if (stamp_s) return step(*stamp_s - at());
     if (direction < 0 && cell == cells.begin()) return;
     direction > 0 ? ++cell : --cell;

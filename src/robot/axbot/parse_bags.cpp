@@ -239,11 +239,12 @@ tl::expected<BagInfo, Fault> parseBagInfo(std::string_view utf8) {
   const auto root = json.read(utf8);
   if (!root) return wrong(notJson(utf8));
   BagInfo info;
-  const auto messages = wire::integer(*root, {"total_messages"});
+  auto messages = wire::integer(*root, {"total_messages"});
+  if (messages && *messages < 0) messages.reset();
   const auto start_s = wire::number(*root, {"start_time"}), end_s = wire::number(*root, {"end_time"});
   // A bag without messages has no start and end.
   if (!(start_s && end_s) && messages != 0) return wrong(fault::BagWithoutTimes);
-  info.messages = std::max<std::int64_t>(messages.value_or(0), 0);
+  info.messages = messages;
   info.start_s = start_s.value_or(0);
   info.end_s = end_s.value_or(info.start_s);
   return info;

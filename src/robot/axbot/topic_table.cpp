@@ -432,6 +432,7 @@ using map::Stream;
 constexpr Topic kTopics[] = {
     {.name = "/map", .picture = GridKind::WholeMap, .stream = Stream::WholeMap, .older = true},
     {.name = "/map_v2", .picture = GridKind::WholeMap, .stream = Stream::WholeMap},
+    {.name = "/map_image", .picture = GridKind::WholeMap, .offered = false},  // in bags
     {.name = "/map/costmap_v2", .picture = GridKind::CostmapLow},
     {.name = "/maps/5cm/1hz", .picture = GridKind::CostmapLow, .stream = Stream::CostmapLow},
     {.name = "/maps/1cm/1hz", .picture = GridKind::CostmapHigh, .stream = Stream::CostmapHigh},

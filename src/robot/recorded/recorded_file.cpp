@@ -263,7 +263,7 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
     }
     const auto cursor = parts_->file->messages(query);
     while (const auto message = cursor->next()) {
-      ++info.messages;
+      ++*info.messages;
       ++counted_of_[message->channel->id];
     }
     counted_until_ns_ = summary.end_ns;
