@@ -29,7 +29,7 @@ using words::text;
 
 tl::unexpected<CommandFailure> BagReading::failure(const map::Failure& failed) const {
   // An unreadable file is not a robot that answers with an error.
-  const int code = robot_->local() ? int(kUsage) : int(exitCodeOf(failed.kind));
+  const int code = robot_->local() ? int(kUsage) : int(exitCodeOf(failed));
   if (failed.subject.kind != map::SubjectKind::Bag || failed.subject.id.empty())
     return robot_->failure(code, QString::fromStdString(sentences::sentenceOf(failed)));
   return robot_->failure(code,

@@ -35,15 +35,13 @@ constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRo
   return otherwise;
 }
 
-/// An id that is none was typed. A change without an answer may have taken effect, so its result counts as
-/// unknown.
+/// An id that is none was typed. A change that may have taken effect, whatever became of its answer, is
+/// incomplete: neither refused nor unreachable.
 inline ExitCode exitCodeOf(const map::Failure& failure) {
   // Nothing was requested.
   if (failure.reason == map::FailureReason::NoSuchId) return kUsage;
   const ExitCode code = exitCodeOf(failure.kind);
-  const bool unknown =
-      code == kUnreachable && map::changes(failure.asked_for) && failure.applied == map::Applied::Maybe;
-  return unknown ? kIncomplete : code;
+  return map::changes(failure.asked_for) && failure.applied != map::Applied::No ? kIncomplete : code;
 }
 
 }  // namespace mapwright::app

@@ -1,6 +1,7 @@
 #include "session/catalogue.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -55,9 +56,13 @@ void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
     };
     std::stable_sort(answer->begin(), answer->end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    // Looking for each in the list would take ever longer, the longer the list.
+    std::map<map::MapKey, const map::CatalogueEntry*> known;
+    for (const map::CatalogueEntry& row : entries_) known.try_emplace(row.key, &row);
     for (const map::CatalogueEntry& row : *answer) {
       // A new version has a new picture.
-      const map::CatalogueEntry* const before = find(row.key);
+      const auto found = known.find(row.key);
+      const map::CatalogueEntry* const before = found == known.end() ? nullptr : found->second;
       const bool changed =
           before && (before->map_version != row.map_version || before->modified_s != row.modified_s);
       if (changed) thumbnails_.erase(row.key);

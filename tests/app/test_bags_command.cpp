@@ -692,6 +692,39 @@ class BagsCommandTest : public QObject {
     QCOMPARE(run(QStringLiteral("list --robot axbot+http://127.0.0.1:1")).code, 3);
   }
 
+  void aChangeWithAnUnknownOutcomeIsExitCodeOne() {
+    const auto names = [&] {
+      QStringList all;
+      for (const QJsonValue& row : run(QStringLiteral("list --json")).array())
+        all << row.toObject()[QStringLiteral("name")].toString();
+      return all;
+    };
+    const Outcome made = run(QStringLiteral("record --json"));
+    QCOMPARE(made.code, 0);
+    const QString name = made.object()[QStringLiteral("name")].toString();
+    const QStringList before = names();
+    QVERIFY(before.contains(name));
+    simulator::Faults ignores, fails, loses;
+    ignores.ignore_writes = fails.write_error_rate = loses.lose_write_answers = 1;
+    robot_->setFaults(ignores);
+    const Outcome ignored = run(QStringLiteral("record"));
+    QCOMPARE(ignored.code, 1);
+    QVERIFY2(ignored.err.contains("does not list it"), ignored.err.constData());
+    robot_->setFaults(fails);
+    for (const QString& line : {QStringLiteral("record"), QStringLiteral("delete %1 --yes").arg(name)}) {
+      const Outcome unknown = run(line);
+      QCOMPARE(unknown.code, 1);
+      QVERIFY2(unknown.err.contains("unknown"), unknown.err.constData());
+    }
+    QCOMPARE(names(), before);
+    robot_->setFaults(loses);
+    QCOMPARE(run(QStringLiteral("delete %1 --yes").arg(name)).code, 0);
+    robot_->setFaults({});
+    QVERIFY(!names().contains(name));
+    QCOMPARE(run(QStringLiteral("delete * --yes")).code, 4);
+    QCOMPARE(names().size(), before.size() - 1);
+  }
+
   void aPartOfABagIsALineForEachMessage() {
     const QString part = QStringLiteral("%1 --from %2 --to %3").arg(bag(), at(100), at(110));
     const Outcome made = run(QStringLiteral("export %1 -o part.jsonl --json").arg(part));

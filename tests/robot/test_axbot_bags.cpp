@@ -11,6 +11,8 @@
 #include "robot/axbot/axbot_robot.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_bags.h"
+#include "robot/map_administration.h"
+#include "scripted_robot.h"
 #include "sentences/failure_sentence.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
@@ -30,6 +32,7 @@ struct Bench {
     axbot::LinkOptions link;
     link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
     link.cache_folder = folder.path();
+    link.recording_patience = std::chrono::milliseconds(500);
     robot = std::make_unique<axbot::AxbotRobot>(QStringLiteral("axbot"), link);
   }
   static simulator::Options options(simulator::BagOptions bags) {
@@ -533,6 +536,112 @@ class AxbotBagsTest : public QObject {
       return bench.bags().record({"test", "a week", ""}, std::move(reply));
     });
     QCOMPARE(int(refused.error().kind), int(map::FailureKind::RejectedByRobot));
+  }
+
+  void whatIsListedAfterwardsCounts_data() {
+    QTest::addColumn<double>("error");
+    QTest::addColumn<double>("drop");
+    QTest::addColumn<double>("lose");
+    QTest::addColumn<double>("ignore");
+    QTest::addColumn<bool>("done");   // by the robot
+    QTest::addColumn<bool>("known");  // what became of a deletion
+    QTest::newRow("done") << 0.0 << 0.0 << 0.0 << 0.0 << true << true;
+    QTest::newRow("an error of its own") << 1.0 << 0.0 << 0.0 << 0.0 << false << false;
+    QTest::newRow("nothing, no answer") << 0.0 << 1.0 << 0.0 << 0.0 << false << false;
+    QTest::newRow("done, no answer") << 0.0 << 0.0 << 1.0 << 0.0 << true << true;
+    QTest::newRow("nothing, and said that it did") << 0.0 << 0.0 << 0.0 << 1.0 << false << true;
+  }
+  void whatIsListedAfterwardsCounts() {
+    QFETCH(bool, done);
+    QFETCH(bool, known);
+    Bench bench;
+    QFETCH(double, error);
+    QFETCH(double, drop);
+    QFETCH(double, lose);
+    QFETCH(double, ignore);
+    simulator::Faults faults;
+    faults.write_error_rate = error;
+    faults.drop_writes = drop;
+    faults.lose_write_answers = lose;
+    faults.ignore_writes = ignore;
+    const auto listed = [&] {
+      const auto rows = bench.ask<std::vector<BagEntry>>(
+          [&](OutcomeTo<std::vector<BagEntry>> reply) { return bench.bags().list(std::move(reply)); });
+      std::set<BagKey> keys;
+      for (const BagEntry& row : *rows) keys.insert(row.key);
+      return keys;
+    };
+    const auto record = [&] {
+      return bench.ask<BagEntry>([&](OutcomeTo<BagEntry> reply) {
+        return bench.bags().record({"new", "90s", ""}, std::move(reply));
+      });
+    };
+    const std::set<BagKey> before = listed();
+    bench.sim.setFaults(faults);
+    const auto made = record();
+    QCOMPARE(made.has_value(), done);
+    QCOMPARE(listed().size(), before.size() + std::size_t(done));
+    if (made) QVERIFY(listed().contains(made->key) && !before.contains(made->key));
+    if (!made) QCOMPARE(int(made.error().applied), int(map::Applied::Maybe));
+    bench.sim.setFaults({});
+    const auto other = record();
+    QVERIFY(other);
+    bench.sim.setFaults(faults);
+    const auto gone = bench.ask<BagKey>(
+        [&](OutcomeTo<BagKey> reply) { return bench.bags().remove(other->key, std::move(reply)); });
+    QCOMPARE(gone.has_value(), done);
+    QCOMPARE(!listed().contains(other->key), done);
+    if (!gone) QCOMPARE(int(gone.error().applied), int(known ? map::Applied::No : map::Applied::Maybe));
+  }
+
+  void aRecordingMayBeListedLater() {
+    testing::ScriptedRobot scripted;
+    scripted.serve("/bags/", "[]");
+    scripted.serve("/recording/", "[]");
+    axbot::LinkOptions link;
+    link.base = scripted.url();
+    link.recording_patience = std::chrono::milliseconds(10'000);
+    axbot::AxbotRobot robot(QStringLiteral("axbot"), link);
+    std::optional<Outcome<BagEntry>> made;
+    robot.bagLibrary()->record({}, [&](Outcome<BagEntry> entry) { made = std::move(entry); });
+    // Before, the order itself, and afterwards.
+    QTRY_VERIFY(scripted.timesAsked("/recording/") >= 3);
+    QVERIFY(!made);
+    scripted.serve("/recording/", R"([{"filename":"late.bag"}])");
+    QTRY_VERIFY_WITH_TIMEOUT(made, kLongMs);
+    QVERIFY(*made && (*made)->key.name == "late.bag");
+  }
+
+  void nothingIsDeletedThatNoListNames() {
+    testing::ScriptedRobot scripted;
+    scripted.serve("/bags/", R"([{"filename":"a.bag"}])");
+    scripted.serve("/recording/", R"([{"filename":"r.bag"}])");
+    scripted.serve("/maps/", R"([{"id":1,"uid":"u","map_name":"Hall"}])");
+    scripted.serve("/mappings/", R"([{"id":7,"state":"finished"}])");
+    // Some robots take words for ids.
+    for (const char* path : {"/maps/all", "/maps/7", "/maps/01", "/bags/*", "/bags/%2A", "/bags/all"})
+      scripted.serve(path, R"({"map_name":"Hall"})");
+    axbot::LinkOptions link;
+    link.base = scripted.url();
+    axbot::AxbotRobot robot(QStringLiteral("axbot"), link);
+    for (const char* name : {"*", "all", "A.bag", "a.bag ", "?", "r.bag"}) {
+      std::optional<Outcome<BagKey>> gone;
+      robot.bagLibrary()->remove(bag(name), [&](Outcome<BagKey> key) { gone = std::move(key); });
+      QTRY_VERIFY_WITH_TIMEOUT(gone, kLongMs);
+      QVERIFY2(!*gone && gone->error().applied == map::Applied::No, name);
+    }
+    for (const char* id : {"all", "7", "01", "current"}) {
+      MapOrder order;
+      order.change = MapChange::Delete;
+      order.key = {map::MapKind::Stored, id};
+      std::optional<Outcome<map::CatalogueEntry>> gone;
+      robot.mapAdministration()->carryOut(
+          order, [&](Outcome<map::CatalogueEntry> entry) { gone = std::move(entry); });
+      QTRY_VERIFY_WITH_TIMEOUT(gone, kLongMs);
+      QVERIFY2(!*gone && gone->error().applied == map::Applied::No, id);
+    }
+    for (const testing::Asked& one : std::as_const(scripted.asked))
+      QVERIFY2(one.method != "DELETE", one.path.constData());
   }
 };
 

@@ -45,7 +45,7 @@ AxbotLink::AxbotLink(LinkOptions options)
                [this] {
                  return robot_ahead_s_ ? std::optional(options_.wall_s() + *robot_ahead_s_) : std::nullopt;
                }),
-      bags_(server()),
+      bags_(server(), options_.recording_patience),
       overlays_(server()),
       sightings_(server()),
       transfers_(server(), maps_),

@@ -42,7 +42,8 @@ struct LinkOptions {
   std::chrono::milliseconds answer_timeout{30'000};  // of requests about maps: without a byte
   std::chrono::milliseconds ask_again_after{1'000};  // after a message that nobody could read, at first
   PoseRequests::Patience pose_patience;
-  std::chrono::milliseconds older_names_after{2'500};  // of silence of a stream that was asked for
+  std::chrono::milliseconds recording_patience{2'000};  // for a new recording to be listed
+  std::chrono::milliseconds older_names_after{2'500};   // of silence of a stream that was asked for
   /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
   std::function<double()> wall_s = wire::secondsOfDay;
 };

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTimer>
 
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_bags.h"
@@ -25,6 +25,12 @@ std::optional<QString> pathOfBag(const BagKey& key) { return pathOfNamed(folderO
 
 /// Ranges usually begin and end at multiples of a power of two of a second: six decimals are exact.
 QString seconds(double epoch_s) { return QString::number(epoch_s, 'f', 6); }
+
+constexpr std::chrono::milliseconds kLookAgainAfter{500};
+
+bool holds(const std::vector<BagEntry>& rows, const BagKey& key) {
+  return std::any_of(rows.begin(), rows.end(), [&](const BagEntry& row) { return row.key == key; });
+}
 
 map::Subject partOf(BagKind kind) {
   return {map::SubjectKind::Catalogue, kind == BagKind::Bag ? map::kBagsPart : map::kRecordingsPart};
@@ -55,48 +61,77 @@ map::Failure noSuchName(const BagKey& key, map::AskedFor asked_for = map::AskedF
 
 }  // namespace
 
-struct BagRequests::Listing {
-  std::vector<BagEntry> bags, recordings;
-  std::vector<map::Failure> failures;
-  int open = 2;
-  OutcomeTo<std::vector<BagEntry>> reply;
+struct BagRequests::Recording {
+  Task task;
+  std::string suffix;
+  OutcomeTo<BagEntry> reply;
+  std::vector<BagEntry> before = {};
+  std::string name = {};                   // as the robot answered; empty = it did not say
+  std::optional<map::Failure> doubt = {};  // the answer was lost, or an error of the robot's own
+  std::chrono::milliseconds patience{0};   // left
+
+  /// It has been listed since; nullptr: none.
+  const BagEntry* newOf(const std::vector<BagEntry>& now) const {
+    const BagEntry* found = nullptr;
+    for (const BagEntry& entry : now) {
+      if (holds(before, entry.key) || (!name.empty() && entry.key.name != name)) continue;
+      const bool named = entry.key.name.find(suffix) != std::string::npos;
+      if (!found || named) found = &entry;
+    }
+    return found;
+  }
 };
 
-BagRequests::BagRequests(RobotServer server) : server_(std::move(server)) { reading_.setMaxThreadCount(1); }
+BagRequests::BagRequests(RobotServer server, std::chrono::milliseconds recording_patience)
+    : server_(std::move(server)), recording_patience_(recording_patience) {
+  reading_.setMaxThreadCount(1);
+}
 
 BagRequests::~BagRequests() { reading_.waitForDone(); }
 
-void BagRequests::list(const Task& task, OutcomeTo<std::vector<BagEntry>> reply) {
-  auto listing = std::make_shared<Listing>();
-  listing->reply = std::move(reply);
-  for (const BagKind kind : {BagKind::Bag, BagKind::Recording}) {
-    wire::send(task, server_.http, server_.request(folderOf(kind)),
-               [this, listing, kind](const net::HttpAnswer& answer) { addRows(*listing, answer, kind); });
-  }
+void BagRequests::rows(const Task& task, BagKind kind, OutcomeTo<std::vector<BagEntry>> reply) {
+  wire::send(task, server_.http, server_.request(folderOf(kind)),
+             [kind, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               // Older firmware only records on demand, or not at all.
+               if (wire::isUnknownThere(answer) && kind == BagKind::Recording)
+                 return reply(std::vector<BagEntry>());
+               reply(wire::outcomeOf(answer, partOf(kind),
+                                     [kind](std::string_view body) { return parseBagRows(body, kind); }));
+             });
 }
 
-void BagRequests::addRows(Listing& listing, const net::HttpAnswer& answer, BagKind kind) {
-  auto rows = wire::outcomeOf(answer, partOf(kind),
-                              [kind](std::string_view body) { return parseBagRows(body, kind); });
-  // Older firmware only records on demand, or not at all.
-  const bool none = wire::isUnknownThere(answer) && kind == BagKind::Recording;
-  if (rows || none) {
-    server_.recovered({partOf(kind)});
-  } else {
-    listing.failures.push_back(std::move(rows.error()));
-  }
-  if (rows) (kind == BagKind::Bag ? listing.bags : listing.recordings) = std::move(*rows);
-  if (--listing.open > 0) return;
-  std::vector<BagEntry> all = std::move(listing.bags);
-  std::move(listing.recordings.begin(), listing.recordings.end(), std::back_inserter(all));
-  if (!listing.failures.empty() && all.empty()) {
-    listing.reply(fail(listing.failures.front()));
-    return;
-  }
-  for (const map::Failure& failure : listing.failures)
-    server_.report(map::problemOf(failure, map::Severity::Warning));
-  listed_ = all;
-  listing.reply(std::move(all));
+void BagRequests::bothRows(const Task& task, std::function<void(BothRows)> reply) {
+  rows(task, BagKind::Bag,
+       [this, task, reply = std::move(reply)](const Outcome<std::vector<BagEntry>>& bags) {
+         rows(task, BagKind::Recording, [bags, reply](Outcome<std::vector<BagEntry>> recordings) {
+           BothRows both;
+           for (const auto& one : {bags, recordings}) {
+             if (one) {
+               both.all.insert(both.all.end(), one->begin(), one->end());
+             } else {
+               both.failures.push_back(one.error());
+             }
+           }
+           reply(std::move(both));
+         });
+       });
+}
+
+void BagRequests::list(const Task& task, OutcomeTo<std::vector<BagEntry>> reply) {
+  bothRows(task, [this, reply = std::move(reply)](BothRows both) {
+    const auto failed = [&](BagKind kind) {
+      return std::any_of(both.failures.begin(), both.failures.end(),
+                         [&](const map::Failure& failure) { return failure.subject == partOf(kind); });
+    };
+    for (const BagKind kind : {BagKind::Bag, BagKind::Recording}) {
+      if (!failed(kind)) server_.recovered({partOf(kind)});
+    }
+    if (!both.failures.empty() && both.all.empty()) return reply(fail(both.failures.front()));
+    for (const map::Failure& failure : both.failures)
+      server_.report(map::problemOf(failure, map::Severity::Warning));
+    listed_ = both.all;
+    reply(std::move(both.all));
+  });
 }
 
 void BagRequests::info(const Task& task, const BagKey& key, OutcomeTo<BagInfo> reply) {
@@ -161,6 +196,20 @@ void BagRequests::picture(const Task& task, const std::string& topic, const std:
 }
 
 void BagRequests::record(const Task& task, const BagOrder& order, OutcomeTo<BagEntry> reply) {
+  auto recording = std::make_shared<Recording>(Recording{task, order.suffix, std::move(reply)});
+  recording->patience = recording_patience_;
+  bothRows(task, [this, recording, order](BothRows before) {
+    // What is new afterwards could not be told.
+    if (!before.failures.empty()) {
+      before.failures.front().asked_for = map::AskedFor::Addition;
+      return recording->reply(fail(std::move(before.failures.front())));
+    }
+    recording->before = std::move(before.all);
+    send(recording, order);
+  });
+}
+
+void BagRequests::send(const std::shared_ptr<Recording>& recording, const BagOrder& order) {
   QJsonObject body;
   for (const auto& [name, text] : {std::pair("filename_suffix", &order.suffix),
                                    {"duration", &order.duration},
@@ -170,49 +219,76 @@ void BagRequests::record(const Task& task, const BagOrder& order, OutcomeTo<BagE
   net::HttpRequest request = server_.request(folderOf(BagKind::Recording));
   request.method = net::HttpMethod::Post;
   request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
-  wire::send(task, server_.http, request, [reply = std::move(reply)](const net::HttpAnswer& answer) {
-    if (!answer.ok()) {
-      reply(fail(wire::failed(answer, partOf(BagKind::Recording), map::AskedFor::Change)));
-      return;
+  wire::send(recording->task, server_.http, request, [this, recording](const net::HttpAnswer& answer) {
+    const map::Subject subject = partOf(BagKind::Recording);
+    recording->doubt = answer.ok() ? refusalIn(answer, subject)
+                                   : std::optional(wire::failed(answer, subject, map::AskedFor::Addition));
+    if (recording->doubt) {
+      recording->doubt->asked_for = map::AskedFor::Addition;
+      if (recording->doubt->applied == map::Applied::No) return recording->reply(fail(*recording->doubt));
+      recording->doubt->applied = map::Applied::Maybe;
     }
     // The answer depends on the firmware: a row of the list, or nothing.
-    BagEntry entry;
-    entry.key.kind = BagKind::Recording;
-    reply(parseBagRow(wire::view(answer.body), BagKind::Recording).value_or(entry));
+    if (const auto row = parseBagRow(wire::view(answer.body), BagKind::Recording); row && answer.ok())
+      recording->name = row->key.name;
+    look(recording);
   });
 }
 
-Outcome<BagKey> BagRequests::goneFrom(const net::HttpAnswer& list, const BagKey& key) {
-  const auto rows = wire::outcomeOf(list, subjectOf(key),
-                                    [&key](std::string_view body) { return parseBagRows(body, key.kind); });
-  if (!rows) {
-    map::Failure failure = rows.error();
-    failure.asked_for = map::AskedFor::Change;
-    failure.applied = map::Applied::Maybe;
-    return fail(std::move(failure));
-  }
-  const bool there =
-      std::any_of(rows->begin(), rows->end(), [&](const BagEntry& entry) { return entry.key == key; });
-  if (!there) return key;
-  return fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                           .subject = subjectOf(key),
-                           .asked_for = map::AskedFor::Change,
-                           .reason = map::FailureReason::Unfit,
-                           .cause = fault::StillThere});
+void BagRequests::look(const std::shared_ptr<Recording>& recording) {
+  bothRows(recording->task, [this, recording](const BothRows& now) {
+    if (const BagEntry* const found = recording->newOf(now.all)) return recording->reply(*found);
+    const bool cancelled =
+        std::any_of(now.failures.begin(), now.failures.end(),
+                    [](const map::Failure& failure) { return failure.kind == map::FailureKind::Cancelled; });
+    if (recording->patience > std::chrono::milliseconds(0) && !cancelled) {
+      recording->patience -= kLookAgainAfter;
+      QTimer::singleShot(kLookAgainAfter, &context_, [this, recording] { look(recording); });
+      return;
+    }
+    map::Failure unknown = recording->doubt ? *recording->doubt
+                           : !now.failures.empty()
+                               ? now.failures.front()
+                               : wire::otherwise(partOf(BagKind::Recording), fault::RecordingNotListed);
+    unknown.asked_for = map::AskedFor::Addition;
+    unknown.applied = map::Applied::Maybe;
+    recording->reply(fail(std::move(unknown)));
+  });
 }
 
 void BagRequests::remove(const Task& task, const BagKey& key, OutcomeTo<BagKey> reply) {
-  const auto path = pathOfBag(key);
-  if (!path) return reply(fail(noSuchName(key, map::AskedFor::Change)));
-  net::HttpRequest request = server_.request(*path);
+  if (!pathOfBag(key)) return reply(fail(noSuchName(key, map::AskedFor::Change)));
+  // A name that is not listed may mean something else to the robot: "*", "all".
+  rows(task, key.kind,
+       [this, task, key, reply = std::move(reply)](const Outcome<std::vector<BagEntry>>& before) {
+         if (before && holds(*before, key)) return removeListed(task, key, reply);
+         map::Failure why = before ? wire::notThere(subjectOf(key)) : before.error();
+         why.asked_for = map::AskedFor::Change;
+         reply(fail(std::move(why)));
+       });
+}
+
+void BagRequests::removeListed(const Task& task, const BagKey& key, OutcomeTo<BagKey> reply) {
+  net::HttpRequest request = server_.request(*pathOfBag(key));
   request.method = net::HttpMethod::Delete;
   wire::send(task, server_.http, request,
              [this, task, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-               if (!answer.ok())
-                 return reply(fail(wire::failed(answer, subjectOf(key), map::AskedFor::Change)));
-               // What it lists is what counts.
-               wire::send(task, server_.http, server_.request(folderOf(key.kind)),
-                          [key, reply](const net::HttpAnswer& list) { reply(goneFrom(list, key)); });
+               std::optional<map::Failure> doubt =
+                   answer.ok() ? refusalIn(answer, subjectOf(key))
+                               : wire::failed(answer, subjectOf(key), map::AskedFor::Change);
+               if (doubt && (!answer.sent || doubt->kind == map::FailureKind::Cancelled))
+                 return reply(fail(std::move(*doubt)));
+               if (doubt && doubt->applied != map::Applied::No) doubt->applied = map::Applied::Maybe;
+               // What it lists is what counts, also where the answer was lost.
+               rows(task, key.kind, [key, doubt, reply](const Outcome<std::vector<BagEntry>>& now) {
+                 if (now && !holds(*now, key)) return reply(key);
+                 if (doubt) return reply(fail(*doubt));
+                 if (now) return reply(fail(wire::otherwise(subjectOf(key), fault::StillThere)));
+                 map::Failure unknown = now.error();
+                 unknown.asked_for = map::AskedFor::Change;
+                 unknown.applied = map::Applied::Maybe;
+                 reply(fail(std::move(unknown)));
+               });
              });
 }
 

@@ -2,6 +2,8 @@
 // "Bags".
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,7 +20,8 @@ namespace mapwright::robot::axbot {
 class BagRequests {
  public:
   using Task = wire::TaskPtr;
-  explicit BagRequests(RobotServer server);
+  /// `recording_patience`: how long a new recording may take to be listed.
+  BagRequests(RobotServer server, std::chrono::milliseconds recording_patience);
   ~BagRequests();
 
   void list(const Task& task, OutcomeTo<std::vector<BagEntry>> reply);
@@ -27,7 +30,9 @@ class BagRequests {
   void messages(const Task& task, const BagKey& key, const BagRange& range, OutcomeTo<BagChunkPtr> reply);
   void picture(const Task& task, const std::string& topic, const std::string& url,
                OutcomeTo<std::shared_ptr<const std::string>> reply);
+  /// Sent once; then it has to be listed, whatever the robot answered. Else it is Applied::Maybe.
   void record(const Task& task, const BagOrder& order, OutcomeTo<BagEntry> reply);
+  /// Only what the robot lists is deleted; then it must no longer be listed, whatever the robot answered.
   void remove(const Task& task, const BagKey& key, OutcomeTo<BagKey> reply);
   /// First to `path`.part, which stays after an interruption: the next attempt resumes there if the robot
   /// supports it (206) and the file is the same by its ETag, or by its row in the last result of list() (size
@@ -35,12 +40,19 @@ class BagRequests {
   void download(const Task& task, const BagKey& key, const QString& path, OutcomeTo<BagDownload> reply);
 
  private:
-  struct Listing;
-  /// What it lists tells whether a bag that was deleted is gone.
-  static Outcome<BagKey> goneFrom(const net::HttpAnswer& list, const BagKey& key);
-  void addRows(Listing& listing, const net::HttpAnswer& answer, BagKind kind);
+  struct Recording;
+  struct BothRows {
+    std::vector<BagEntry> all;  // bags, then recordings
+    std::vector<map::Failure> failures;
+  };
+  void rows(const Task& task, BagKind kind, OutcomeTo<std::vector<BagEntry>> reply);
+  void bothRows(const Task& task, std::function<void(BothRows)> reply);
+  void send(const std::shared_ptr<Recording>& recording, const BagOrder& order);
+  void look(const std::shared_ptr<Recording>& recording);
+  void removeListed(const Task& task, const BagKey& key, OutcomeTo<BagKey> reply);
 
   const RobotServer server_;
+  const std::chrono::milliseconds recording_patience_;
   QObject context_;  // results return to its thread
   QThreadPool reading_;
   std::vector<BagEntry> listed_;  // the last list

@@ -156,6 +156,8 @@ inline constexpr FaultCode UidTaken{"axbot",
                                     QT_TRANSLATE_NOOP("axbot", "the robot already has this map: %2 (id %1)")};
 
 // Changing maps.
+inline constexpr FaultCode RecordingNotListed{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the recording, but does not list it.")};
 inline constexpr FaultCode StillThere{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still has it.")};
 inline constexpr FaultCode MappingKept{

@@ -71,16 +71,24 @@ void MapChanges::carryOut(const Task& task, const MapOrder& order, OutcomeTo<map
                                            .asked_for = map::AskedFor::Change,
                                            .reason = map::FailureReason::NoSuchId}));
   }
-  const bool looks = order.change == MapChange::Delete || !isNumber(order.key.id);
-  if (!isOfOne(order.change) || !looks) return begin(change);
-  maps_.describe(task, order.key, [this, change](Outcome<map::CatalogueEntry> before) {
+  const auto known = [this, change](Outcome<map::CatalogueEntry> before) {
     if (!before) {
       before.error().asked_for = map::AskedFor::Change;
       return change->reply(fail(std::move(before.error())));
     }
     change->before = std::move(*before);
     begin(change);
-  });
+  };
+  // Only what is listed: any other word may mean more to the robot.
+  if (order.change == MapChange::Delete) {
+    maps_.listAll(task, [key = order.key, known](Outcome<std::vector<map::CatalogueEntry>> list) {
+      known(wire::entryOf(key, std::move(list)));
+    });
+  } else if (isOfOne(order.change) && !isNumber(order.key.id)) {
+    maps_.describe(task, order.key, known);
+  } else {
+    begin(change);
+  }
 }
 
 void MapChanges::begin(const ChangePtr& change) {
