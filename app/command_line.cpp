@@ -23,6 +23,7 @@
 #include "app/robot_factory.h"
 #include "app/settings_file.h"
 #include "app/snapshot.h"
+#include "disk/private_folder.h"
 #include "keyring/key_ring.h"
 #include "replay/replay_robot.h"
 #include "robot/address.h"
@@ -88,8 +89,10 @@ int showWindow(const QString& address, const RobotAccess& known) {
       *settings, address};
   wanted.session = sessionOptions();
   wanted.yamls_naming = robot::files::yamlsNaming;
-  wanted.edit.drafts_folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-                              QStringLiteral("/mapwright/drafts");
+  const QString data_folder =
+      QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/mapwright");
+  disk::makePrivateFolder(QFile::encodeName(data_folder).toStdString());
+  wanted.edit.drafts_folder = data_folder + QStringLiteral("/drafts");
   wanted.addresses = addresses;
   const std::unique_ptr<keyring::KeyRing> keys = keyring::systemKeyRing();
   wanted.keys = keys.get();
@@ -201,6 +204,7 @@ int commandLine(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   ignoreRelativeFolders();
+  makeOwnFoldersPrivate();
   try {
     return concludeStandardOutput(runCommand(argc, argv));
   } catch (const std::exception& error) {

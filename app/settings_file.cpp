@@ -2,12 +2,15 @@
 
 #include <QByteArrayList>
 #include <QDateTime>
+#include <QFile>
 #include <QFileDevice>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
+
+#include "disk/private_folder.h"
 
 namespace mapwright::app {
 namespace {
@@ -61,6 +64,7 @@ std::unique_ptr<QSettings> openSettingsIn(const QString& folder) {
   const QFileInfo older(folder + QStringLiteral("/mapwright.ini"));
   // A named pipe would block; nothing can be stored below a device.
   const bool in_the_way = file.exists() && !file.isFile();
+  if (!in_the_way) disk::makePrivateFolder(QFile::encodeName(folder).toStdString());
   auto settings = std::make_unique<QSettings>(
       in_the_way ? QStringLiteral("/dev/null/mapwright.json") : file.filePath(), format);
   if (!file.exists() && older.isFile()) {
@@ -68,6 +72,15 @@ std::unique_ptr<QSettings> openSettingsIn(const QString& folder) {
     for (const QString& key : before.allKeys()) settings->setValue(key, before.value(key));
   }
   return settings;
+}
+
+void makeOwnFoldersPrivate() {
+  using Paths = QStandardPaths;
+  for (const auto where :
+       {Paths::GenericConfigLocation, Paths::GenericDataLocation, Paths::GenericCacheLocation}) {
+    disk::makePrivate(
+        QFile::encodeName(Paths::writableLocation(where) + QStringLiteral("/mapwright")).toStdString());
+  }
 }
 
 void ignoreRelativeFolders() {

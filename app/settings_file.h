@@ -12,6 +12,10 @@ namespace mapwright::app {
 /// be written the settings last until the program ends; status() says so after sync().
 std::unique_ptr<QSettings> openSettings();
 
+/// The program's folders for settings, drafts and caches, as far as they are there, are for this user alone:
+/// they hold addresses, names and maps of robots.
+void makeOwnFoldersPrivate();
+
 /// The same in `folder`.
 std::unique_ptr<QSettings> openSettingsIn(const QString& folder);
 

@@ -63,6 +63,12 @@ session::Session::Options sessionFor(const SnapshotOptions& options,
 
 double toThousandths(double value) { return std::round(value * 1000) / 1000; }
 
+/// Whole seconds, or tenths of the first one.
+QString passed(double since_s) {
+  since_s += 0.05;  // timers may be early
+  return QString::number(since_s < 1 ? std::floor(since_s * 10) / 10 : std::floor(since_s));
+}
+
 QJsonValue secondsOrNull(double value) { return value < 0 ? QJsonValue() : QJsonValue(toThousandths(value)); }
 
 }  // namespace
@@ -534,13 +540,13 @@ void SnapshotRun::paint(bool settled) {
     options_.size_px = **region_->size();
     notes_ += *notes;
   }
-  if (!region_ && options_.mode == SnapshotMode::Whole && !map_.grid()) {
+  if (!region_ && options_.mode == SnapshotMode::Whole && !map_.grid() && !scans_alone_) {
     const QString which = options_.map
                               ? Text::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
                               : Text::tr("its map");
     fail(exitCodeOf(map::FailureKind::TimedOut),
          Text::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
-                 .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
+                 .arg(options_.robot, which, passed(options_.settle_s ? sinceConnected() : seconds()),
                       options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
              whatOfTheLink() +
              (QStringList(QString()) + map_.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
@@ -591,8 +597,7 @@ void SnapshotRun::paint(bool settled) {
   for (const QString& topic : live_layers_.silent()) {
     // Nothing is requested for a bag: data that is not in it is not missing.
     if (replayed_) break;
-    notes_ << Text::tr("Nothing arrived on topic %1 within %2 s.")
-                  .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
+    notes_ << Text::tr("Nothing arrived on topic %1 within %2 s.").arg(topic, passed(sinceConnected()));
   }
   for (const scene::Layer layer : live_layers_.unfillable()) {
     if (!options_.named.contains(layer)) continue;

@@ -14,6 +14,7 @@
 #include <QUuid>
 
 #include "disk/file_error.h"
+#include "disk/private_folder.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "edit/faults.h"
@@ -136,13 +137,15 @@ DraftFile::DraftFile(QString folder, const DraftIdentity& of)
             QUuid::createUuid().toString(QUuid::Id128) + QStringLiteral(".json")) {}
 
 std::optional<Fault> DraftFile::write(const QByteArray& bytes) {
-  if (!QDir().mkpath(folder_)) return Fault(fault::DraftFolderNotMade, {folder_.toStdString()});
+  if (!disk::makePrivateFolder(folder_.toStdString()))
+    return Fault(fault::DraftFolderNotMade, {folder_.toStdString()});
   if (!lock_) {
     auto lock = lockOf(path_);
     if (!lock->tryLock()) return Fault(fault::DraftFileNotMade, {folder_.toStdString()});
     lock_ = std::move(lock);
   }
   const auto fault = disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
+  disk::makePrivate(path_.toStdString());
   if (!fault) {
     qCDebug(lcEdit, "draft %s: %lld bytes written", qUtf8Printable(path_), qint64(bytes.size()));
     return std::nullopt;

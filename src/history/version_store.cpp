@@ -1,11 +1,13 @@
 #include "history/version_store.h"
 
+#include <fcntl.h>
 #include <filesystem>
 #include <sqlite3.h>
 #include <string_view>
-#include <system_error>
+#include <unistd.h>
 #include <utility>
 
+#include "disk/private_folder.h"
 #include "history/faults.h"
 
 namespace mapwright::history {
@@ -107,8 +109,11 @@ VersionStore& VersionStore::operator=(VersionStore&&) noexcept = default;
 VersionStore::~VersionStore() = default;
 
 tl::expected<VersionStore, Fault> VersionStore::open(const std::string& path, Limits limits) {
-  std::error_code ignored;  // SQLite says what is wrong
-  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+  disk::makePrivateFolder(std::filesystem::path(path).parent_path());  // SQLite says what is wrong
+  // SQLite gives its journals the rights of the file.
+  if (const int fd = ::open(path.c_str(), O_RDONLY | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600); fd >= 0)
+    ::close(fd);
+  for (const char* journal : {"", "-wal", "-shm", "-journal"}) disk::makePrivate(path + journal);
   sqlite3* opened = nullptr;
   sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   VersionStore store(std::unique_ptr<sqlite3, Close>(opened), path, limits);

@@ -34,7 +34,7 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 }  // namespace
 
 AxbotLink::AxbotLink(LinkOptions options)
-    : RobotLink(lcAxbot(), options.base),
+    : RobotLink(lcAxbot(), options.base, options.secret),
       options_(std::move(options)),
       cache_(options_.cache_folder.isEmpty()
                  ? nullptr
@@ -268,8 +268,14 @@ void AxbotLink::deliverDefinition() {
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
-  places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(wire::view(utf8));
+  if (frame.topic.empty()) {
+    // An answer, which may repeat what it was asked with.
+    QByteArray without = utf8;
+    unsaid().hideIn(without);
+    if (without != utf8) return takeText(without);
+  }
+  places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
   if (passesRaw(utf8.size())) Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
   // A message may be sent again long after it was stamped: the newest stamp counts.

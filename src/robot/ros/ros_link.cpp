@@ -43,7 +43,7 @@ RawMessage rawOf(const TopicMessage& message) {
 }  // namespace
 
 RosLink::RosLink(LinkOptions options)
-    : RobotLink(lcRos(), options.url),
+    : RobotLink(lcRos(), options.url, options.secret),
       options_(std::move(options)),
       world_(options_.ns),
       sources_(sourcesOf(std::nullopt, options_.ns)),

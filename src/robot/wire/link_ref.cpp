@@ -52,8 +52,11 @@ Call Requests::send(QObject* link, const map::Subject& subject, OutcomeTo<Value>
   });
   QMetaObject::invokeMethod(
       link,
-      [this, ticket, task, work = std::move(work)] {
-        work(task, [this, ticket](Outcome<Value> outcome) { postEnd(ticket, std::move(outcome)); });
+      [this, ticket, task, link, work = std::move(work)] {
+        work(task, [this, ticket, link](Outcome<Value> outcome) {
+          if (!outcome) unsaidOf(link).hideIn(outcome.error());
+          postEnd(ticket, std::move(outcome));
+        });
       },
       Qt::QueuedConnection);
   state->cancel = [this, link, task, ticket, subject, stopping] {

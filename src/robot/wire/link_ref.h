@@ -13,6 +13,7 @@
 #include "map/subject.h"
 #include "robot/call.h"
 #include "robot/wire/task.h"
+#include "robot/wire/unsaid.h"
 
 namespace mapwright::robot::wire {
 
@@ -116,14 +117,17 @@ class LinkRef {
   }
   template <typename T, typename Request, typename... Args>
   Requests::Work work(Request request, Args... args) const {
-    return [part = part_, request, args...](const TaskPtr& task, const OutcomeTo<Value>& reply) {
-      if constexpr (std::is_invocable_v<Request, Part&, const TaskPtr&, const Args&..., OutcomeTo<T>>) {
-        std::invoke(request, part(), task, args...,
-                    OutcomeTo<T>([reply](Outcome<T> outcome) { reply(plain(std::move(outcome))); }));
-      } else {
-        reply(plain(Outcome<T>(std::invoke(request, part(), args...))));
-      }
-    };
+    return
+        [part = part_, link = link_, request, args...](const TaskPtr& task, const OutcomeTo<Value>& reply) {
+          if constexpr (std::is_invocable_v<Request, Part&, const TaskPtr&, const Args&..., OutcomeTo<T>>) {
+            std::invoke(request, part(), task, args..., OutcomeTo<T>([reply, link](Outcome<T> outcome) {
+                          if (outcome) unsaidOf(link).hideInRemarks(*outcome);
+                          reply(plain(std::move(outcome)));
+                        }));
+          } else {
+            reply(plain(Outcome<T>(std::invoke(request, part(), args...))));
+          }
+        };
   }
 
   QObject* link_;

@@ -43,7 +43,10 @@ NetworkRobot::NetworkRobot(QString address, RobotLink* link, std::unique_ptr<QTh
   connect(link_, &RobotLink::topicReceived, this, &NetworkRobot::takeTopic);
   connect(link_, &RobotLink::mailArrived, this, &NetworkRobot::takeMail);
   connect(link_, &RobotLink::rawReceived, this, &Robot::rawReceived);
-  connect(link_, &RobotLink::problemFound, this, &Robot::problemFound);
+  connect(link_, &RobotLink::problemFound, this, [this](map::Problem problem) {
+    link_->unsaid().hideIn(problem);
+    Q_EMIT problemFound(problem);
+  });
   connect(link_, &RobotLink::recovered, this, &Robot::recovered);
 }
 
@@ -66,10 +69,11 @@ void NetworkRobot::trustCertificate(const QString& sha256) {
 
 void NetworkRobot::takeTopic(const map::StampedMessage& message) { Q_EMIT topicReceived(message); }
 
-void NetworkRobot::takeState(const ConnectionState& state) {
+void NetworkRobot::takeState(ConnectionState state) {
+  link_->unsaid().hideIn(state);
   if (state == state_) return;
   const bool online = state.phase == ConnectionPhase::Online && state_.phase != ConnectionPhase::Online;
-  state_ = state;
+  state_ = std::move(state);
   const QPointer<NetworkRobot> alive(this);
   Q_EMIT connectionChanged();
   if (alive && online) cameOnline();

@@ -56,7 +56,7 @@ class NetworkRobot : public Robot, public Delivers {
   const std::shared_ptr<Places> places_;
 
  private:
-  void takeState(const ConnectionState& state);
+  void takeState(ConnectionState state);
   void takeMail();
 
   QString address_;

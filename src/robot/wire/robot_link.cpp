@@ -142,8 +142,8 @@ std::string hostOf(const QUrl& url) {
   return QStringLiteral("%1:%2").arg(url.host()).arg(url.port()).toStdString();
 }
 
-RobotLink::RobotLink(const QLoggingCategory& log, const QUrl& server)
-    : server_(hostOf(server)), link_log_(log, server_) {
+RobotLink::RobotLink(const QLoggingCategory& log, const QUrl& server, const QByteArray& secret)
+    : server_(hostOf(server)), unsaid_(secret), link_log_(log, server_) {
   clock_.start();
 }
 

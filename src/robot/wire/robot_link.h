@@ -21,6 +21,7 @@
 #include "map/live_topics.h"
 #include "robot/delivery.h"
 #include "robot/robot.h"
+#include "robot/wire/unsaid.h"
 
 namespace mapwright::robot::wire {
 
@@ -164,8 +165,9 @@ struct Places {
 class RobotLink : public QObject {
   Q_OBJECT
  public:
-  /// `log` outlives this.
-  RobotLink(const QLoggingCategory& log, const QUrl& server);
+  /// `log` outlives this. `secret` is never repeated of what the robot says.
+  RobotLink(const QLoggingCategory& log, const QUrl& server, const QByteArray& secret = {});
+  const Unsaid& unsaid() const { return unsaid_; }
   const std::shared_ptr<Places>& places() const { return places_; }
 
   virtual void open() = 0;
@@ -193,6 +195,7 @@ class RobotLink : public QObject {
                                         double received_s);
 
   const std::string server_;  // its host and port: whom problems are about
+  const Unsaid unsaid_;
   LinkLog link_log_;
   const std::shared_ptr<Places> places_ = std::make_shared<Places>();
 
