@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,8 @@
 #include "app/commands.h"
 #include "app/live_robot.h"
 #include "app/output.h"
+#include "net/rosbridge/frame.h"
+#include "robot/axbot/parse_topics.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
 #include "scene/layer.h"
@@ -32,8 +35,9 @@ namespace {
 struct TopicsArguments : RobotArguments {
   TopicsArguments() { timeout_s = 30; }  // for the connection, and for each message of echo
   std::vector<std::string> topics;
-  int count = 0;        // for echo: messages; 0: until stopped
-  double seconds = 10;  // of hz
+  int count = 0;         // for echo: messages; 0: until stopped
+  double seconds = 10;   // of hz
+  bool shorten = false;  // of echo
 };
 
 using robot::OfferedTopic;
@@ -100,31 +104,38 @@ class TopicsRun {
   }
 
   CommandResult<int> echo() {
+    robot::Delivers* const delivers = robot::deliversOf(robot_);
     int left = args_.count;
-    bool cut = false;
+    bool shortened = false;
     QTimer silence;
     silence.setSingleShot(true);
     QObject::connect(&silence, &QTimer::timeout, &context_, [this] { live_.quit(); });
-    QObject::connect(&robot_, &robot::Robot::rawReceived, &context_, [&](const robot::RawMessage& message) {
-      if (message.topic != topics_.front() || (args_.count > 0 && left == 0)) return;
-      cut |= message.text.size() >= robot::kMaxRawText;
-      printOut((lineOf(message.text) + '\n').toStdString());
+    const auto print = [&](QByteArray line) {
+      if (args_.count > 0 && left == 0) return;
+      if (args_.shorten) line = shorter(line, shortened);
+      printOut((line + '\n').toStdString());
       std::fflush(stdout);
       silence.start();
       if (args_.count > 0 && --left == 0) live_.quit();
+    };
+    const std::string topic = topics_.front().toStdString();
+    delivers->setDeliveryTap([&](const robot::Delivery& message) {
+      if (message.kind != robot::Delivery::Kind::Message || message.before || message.name != topic) return;
+      QMetaObject::invokeMethod(
+          &context_, [&print, line = lineOf(message)] { print(line); }, Qt::QueuedConnection);
     });
-    robot_.liveTopics()->setWatching(true);
     if (auto failure = connect(topics_)) return tl::make_unexpected(*failure);
     silence.setInterval(std::chrono::milliseconds(std::llround(args_.timeout_s * 1000)));
     silence.start();
     const bool done = live_.stopped() || (args_.count > 0 && left == 0);
     if (!done) live_.follow({});
-    if (cut) say(Text::tr("Messages longer than 1 MiB were truncated."));
+    delivers->setDeliveryTap({});
+    if (shortened) say(Text::tr("Long lists and texts are shortened (--shorten)."));
     if (!live_.stopped() && (args_.count == 0 || left > 0))
       say(Text::tr("%1: nothing arrived within %2 s (--timeout).")
               .arg(topics_.front(), QString::number(args_.timeout_s)));
     const bool ended_by_hand = live_.stopped() && args_.count == 0;
-    return !cut && (ended_by_hand || (args_.count > 0 && left == 0)) ? kDone : kIncomplete;
+    return ended_by_hand || (args_.count > 0 && left == 0) ? kDone : kIncomplete;
   }
 
   CommandResult<int> hz() {
@@ -193,11 +204,35 @@ class TopicsRun {
     printTable(table);
   }
 
-  /// JSON without line breaks, unchanged if it has none.
-  static QByteArray lineOf(const QByteArray& message) {
-    if (!message.contains('\n')) return message;
-    const QJsonDocument parsed = QJsonDocument::fromJson(message);
-    return parsed.isNull() ? QByteArray(message).replace('\n', ' ') : parsed.toJson(QJsonDocument::Compact);
+  /// All of a message as one line of JSON. On any thread.
+  static QByteArray lineOf(const robot::Delivery& message) {
+    const QByteArray bytes(message.bytes.data(), qsizetype(message.bytes.size()));
+    // JSON has line breaks only between its words, where a space means the same.
+    if (message.encoding == "json") return QByteArray(bytes).replace('\n', ' ').replace('\r', ' ');
+    if (message.encoding == "cbor") {
+      using net::rosbridge::Frame;
+      const auto frame = Frame::read(bytes, Frame::Wire::Binary);
+      if (frame->fault() == Frame::Fault::None) return frame->root().toWholeJson();
+    }
+    if (message.encoding == "protobuf") {
+      if (const auto json = robot::axbot::jsonOfBinaryBody(message.bytes))
+        return QByteArray::fromStdString(*json);
+    }
+    const QJsonObject unknown{
+        {QStringLiteral("topic"), QString::fromUtf8(message.name.data(), qsizetype(message.name.size()))},
+        {QStringLiteral("bytes"), bytes.size()},
+        {QStringLiteral("base64"), QString::fromLatin1(bytes.toBase64())}};
+    return QJsonDocument(unknown).toJson(QJsonDocument::Compact);
+  }
+
+  /// The beginnings of long lists and texts, as JSON. What is no JSON stays as it is.
+  static QByteArray shorter(const QByteArray& json, bool& shortened) {
+    using net::rosbridge::Frame;
+    const auto frame = Frame::read(json, Frame::Wire::Text);
+    if (frame->fault() != Frame::Fault::None) return json;
+    QByteArray text = frame->root().toJson(std::numeric_limits<qsizetype>::max());
+    shortened |= text != frame->root().toWholeJson();
+    return text;
   }
 
   CommandResult<int> report(const std::map<QString, Tally>& tallies) const {
@@ -300,6 +335,8 @@ void addTopics(Commands& commands) {
   echo->add_option("--count", args.count,
                    help(Text::tr("Stop after this many messages; by default when interrupted")))
       ->check(CLI::Range(1, 1'000'000'000));
+  echo->add_flag("--shorten", args.shorten,
+                 help(Text::tr("Print only the beginning of long lists and texts, still as JSON")));
   addTimeout(*echo, args.timeout_s,
              Text::tr("Give up after this many seconds without a connection or a message"));
   CLI::App* const hz = add("hz", Text::tr("Measure the rates of topics and how regular they are"));

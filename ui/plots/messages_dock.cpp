@@ -32,6 +32,9 @@ constexpr int kSideBySidePx = 620;  // the topics and a message
 constexpr int kMessagesRefreshMs = 200, kIdleMs = 1'000;
 const QString kOwner = QStringLiteral("messages");
 
+/// Long lists in it are shortened: "… 68" stands for 68 items (net::rosbridge::Field::toJson).
+bool isShortened(const QByteArray& text) { return text.contains("\"\xe2\x80\xa6 "); }
+
 std::function<qint64()> elapsedClock() {
   QElapsedTimer timer;
   timer.start();
@@ -145,8 +148,11 @@ QWidget* MessagesDock::buildControls() {
     showMessage(true);
   });
   connect(copy_, &QPushButton::clicked, this, [this] {
-    if (const TopicTally* tally = log_.find(chosen_))
-      Q_EMIT copyWanted(QString::fromUtf8(tally->text), tr("Message copied"));
+    const TopicTally* const tally = log_.find(chosen_);
+    if (!tally) return;
+    const bool all = !tally->cut && !isShortened(tally->text);
+    Q_EMIT copyWanted(QString::fromUtf8(tally->text),
+                      all ? tr("Message copied") : tr("Message copied as shown, not all of it"));
   });
   return box;
 }
@@ -308,7 +314,10 @@ void MessagesDock::showMessage(bool force) {
   message_->setTopic(tally->binary ? QString() : chosen_);
   caption_->setText(QStringLiteral("%1  %2, %3%4")
                         .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
-                             bytesText(tally->last_bytes), tally->cut ? tr(", truncated") : QString()));
+                             bytesText(tally->last_bytes),
+                             tally->cut                 ? tr(", truncated")
+                             : isShortened(tally->text) ? tr(", long lists shortened")
+                                                        : QString()));
   const int down = message_->verticalScrollBar()->value();
   const int across = message_->horizontalScrollBar()->value();
   message_->setPlainText(prettyJson(tally->text));

@@ -233,6 +233,16 @@ std::string binaryTypeDefinition() {
   return files.SerializeAsString();
 }
 
+std::optional<std::string> jsonOfBinaryBody(std::string_view body) {
+  ros_messages::RosMessageWrapper wrapper;
+  std::string json;
+  const bool known = !body.empty() && body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
+                     wrapper.ParseFromArray(body.data(), int(body.size())) &&
+                     wrapper.message_case() != ros_messages::RosMessageWrapper::MESSAGE_NOT_SET &&
+                     google::protobuf::util::MessageToJsonString(wrapper, &json).ok();
+  return known ? std::optional(std::move(json)) : std::nullopt;
+}
+
 std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::string_view body) {
   ros_messages::RosMessageWrapper wrapper;
   const bool read = body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
@@ -261,13 +271,8 @@ RawMessage rawText(const std::string& topic, std::string_view utf8) {
 RawMessage rawBinary(std::string_view bytes) {
   const auto frame = unpackBinaryFrame(bytes);
   RawMessage message = started(frame ? frame->topic : frame.error().topic, bytes.size(), true);
-  ros_messages::RosMessageWrapper wrapper;
-  std::string json;
-  const bool readable = frame && frame->body.size() <= kReadable && !frame->body.empty() &&
-                        wrapper.ParseFromString(frame->body) &&
-                        wrapper.message_case() != ros_messages::RosMessageWrapper::MESSAGE_NOT_SET &&
-                        google::protobuf::util::MessageToJsonString(wrapper, &json).ok();
-  message.text = readable ? beginning(json) : hexDump(frame ? std::string_view(frame->body) : bytes);
+  const auto json = frame && frame->body.size() <= kReadable ? jsonOfBinaryBody(frame->body) : std::nullopt;
+  message.text = json ? beginning(*json) : hexDump(frame ? std::string_view(frame->body) : bytes);
   return message;
 }
 

@@ -70,6 +70,9 @@ std::string topicOfBinaryFrame(std::string_view bytes);
 inline constexpr const char* kBinaryType = "ros_messages.RosMessageWrapper";
 std::string binaryTypeDefinition();
 
+/// The content of a binary frame as one JSON text; nullopt: it is not known here.
+std::optional<std::string> jsonOfBinaryBody(std::string_view body);
+
 /// Reads the content of a binary frame, as parseBinaryFrame() does.
 std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::string_view body);
 

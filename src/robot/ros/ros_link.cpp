@@ -27,6 +27,7 @@ constexpr qint64 kTellAgainMs = 5'000;
 constexpr qint64 kReceptionEveryMs = 1'000;
 constexpr double kLateS = 1;
 constexpr std::size_t kMostAges = 100;
+constexpr qint64 kShownWhole = 64 * 1024;  // longer messages are shortened for the inspector
 
 map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
@@ -36,7 +37,7 @@ RawMessage rawOf(const TopicMessage& message) {
   raw.received = QDateTime::fromMSecsSinceEpoch(qint64(message.received_s * 1000), Qt::UTC);
   raw.bytes = message.bytes;
   raw.binary = message.binary;
-  raw.text = message.msg.toJson(kMaxRawText);
+  raw.text = message.bytes <= kShownWhole ? message.msg.toWholeJson() : message.msg.toJson(kMaxRawText);
   return raw;
 }
 
