@@ -37,19 +37,42 @@ ensure_packages() {
   touch "$stamp"
 }
 
-# build_preset PRESET TARGET [CMAKE_OPTION]: configures once (and again for an option that is not set yet), builds
-# quietly; what the compiler says is shown when it fails.
+# build_preset PRESET TARGET [CMAKE_OPTION]: configures once (and again for an option that is not set yet), then
+# builds. Nothing is printed where nothing is to be done, progress on a terminal, and all that the compiler says when
+# it fails. With MAPWRIGHT_WERROR=ON warnings of the compiler are errors.
 build_preset() {
   local preset=$1 target=$2 option=${3:-} dir="$top/build/$1" log="$top/build/$1.log"
   mkdir -p "$dir"
-  local name=${option%%=*}
-  if [ ! -e "$dir/build.ninja" ] || { [ -n "$option" ] && ! grep -q "^${name#-D}:.*=${option#*=}$" "$dir/CMakeCache.txt"; }; then
+  local wanted=(${MAPWRIGHT_WERROR:+"-DMAPWRIGHT_WERROR=$MAPWRIGHT_WERROR"} ${option:+"$option"})
+  local configure=0 each name
+  [ -e "$dir/build.ninja" ] || configure=1
+  for each in "${wanted[@]}"; do
+    name=${each%%=*}
+    grep -qs "^${name#-D}:.*=${each#*=}$" "$dir/CMakeCache.txt" || configure=1
+  done
+  if [ $configure = 1 ]; then
     echo "Configuring ($preset) …" >&2
-    (cd "$top" && cmake --preset "$preset" ${option:+"$option"}) >"$log" 2>&1 || { cat "$log" >&2; exit 3; }
+    (cd "$top" && cmake --preset "$preset" "${wanted[@]}") >"$log" 2>&1 || { cat "$log" >&2; exit 3; }
   fi
-  # Nothing to do is the common case: then nothing is printed.
-  if ! ninja -C "$dir" -n "$target" 2>/dev/null | grep -q 'no work to do'; then
-    echo "Building ($preset) …" >&2
-    ninja -C "$dir" "$target" >"$log" 2>&1 || { cat "$log" >&2; exit 3; }
-  fi
+  NINJA_STATUS='[%f/%t] ' ninja -C "$dir" "$target" 2>&1 | show_build "$preset" "$log" || { cat "$log" >&2; exit 3; }
+}
+
+# show_build PRESET LOG: reads what ninja says into LOG. Its look for new sources happens each time and is no building.
+show_build() {
+  local preset=$1 log=$2 line said= percent=
+  exec 3>"$log"
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >&3
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*)$ && ${BASH_REMATCH[3]} != 'Re-checking globbed directories'* ]] || continue
+    if [ -t 2 ]; then
+      [ "$percent" = $((100 * BASH_REMATCH[1] / BASH_REMATCH[2])) ] && continue
+      percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+      printf '\rBuilding (%s): %d of %d steps, %d %%' "$preset" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" "$percent" >&2
+    elif [ -z "$said" ]; then
+      echo "Building ($preset) …" >&2
+    fi
+    said=1
+  done
+  if [ -n "$said" ] && [ -t 2 ]; then echo >&2; fi
+  exec 3>&-
 }
