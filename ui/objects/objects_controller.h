@@ -28,7 +28,7 @@ class ObjectsController : public Controller {
  public:
   /// `wall`: the time of day.
   explicit ObjectsController(WindowContext& context, QObject* parent = nullptr,
-                             std::function<QDateTime()> wall = &QDateTime::currentDateTime);
+                             std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); });
 
   ObjectCard* card() const { return card_; }
   PropertiesDock* properties() const { return properties_; }
