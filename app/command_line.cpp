@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include "app/command_text.h"
@@ -23,6 +24,7 @@
 #include "app/robot_factory.h"
 #include "app/settings_file.h"
 #include "app/snapshot.h"
+#include "app/unknown_word.h"
 #include "disk/private_folder.h"
 #include "keyring/key_ring.h"
 #include "replay/replay_robot.h"
@@ -180,8 +182,10 @@ int runCommand(int argc, char** argv) {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return cli.exit(error);
+    // A word that is not known may be the reason why another one is missing.
+    if (const auto why = sentenceOnUnknownWord(cli)) return refuse(kUsage, *why);
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
-    return refuse(kUsage, Text::tr("%1 (see mapwright --help)").arg(why));
+    return refuse(kUsage, Text::tr("%1 (see %2 --help)").arg(why, parsedCommand(cli)));
   }
   if (const auto started = startLog(log_rules); !started) return refuse(kUsage, started.error());
   if (const auto code = commands.run({robot, access, argc, argv})) return *code;
@@ -189,10 +193,17 @@ int runCommand(int argc, char** argv) {
   if (demo->parsed()) return openDemo(QString::fromStdString(demo_query), argc, argv);
   if (operand.empty()) return openWindow(QString::fromStdString(robot), access, argc, argv);
   const QString file = QString::fromStdString(operand);
-  // A mistyped subcommand is not a file.
-  if (!isFileName(file) && !play->parsed()) {
-    return refuse(kUsage, Text::tr("%1 is neither a subcommand nor an existing file (see mapwright --help)")
-                              .arg(words::plainName(file)));
+  if (!isFileName(file) && !play->parsed()) {  // a mistyped subcommand is not a file
+    const auto nearest = nearestOf(operand, subcommandsOf(cli));
+    const QString hint = nearest ? Text::tr("Did you mean %1?").arg(QString::fromStdString(*nearest))
+                                 : Text::tr("See mapwright --help.");
+    return refuse(
+        kUsage,
+        Text::tr("%1 is neither a subcommand nor an existing file. %2").arg(words::plainName(file), hint));
+  }
+  if (!file.startsWith(QLatin1String("file:")) && !QFileInfo::exists(file) &&
+      !QFileInfo::exists(file.section(QLatin1Char('?'), 0, 0))) {
+    return refuse(kUsage, Text::tr("%1: there is no such file.").arg(words::plainName(file)));
   }
   return openWindow(file, access, argc, argv);
 }

@@ -124,6 +124,8 @@ int concludeStandardOutput(int exit_code) {
   // The first failure has the reason; errno only describes the last call.
   if (!flushed && why_not_printed == 0) why_not_printed = errno;
   if (flushed && std::ferror(stdout) == 0) return exit_code;
+  // Whoever reads has seen enough, as head does.
+  if (why_not_printed == EPIPE) return exit_code;
   QString sentence = Text::tr("The standard output cannot be written.");
   if (why_not_printed != 0)
     sentence = Text::tr("The standard output cannot be written: %1.")

@@ -391,8 +391,6 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
   if (!layers) return wrong(layers.error());
   options.layers = *layers;
   if (!args.layers.empty() && args.layers != "all") options.named = *layers;
-  options.without_submaps = !args.layers.empty() && args.layers != "all" && args.layers != "none" &&
-                            !layers->contains(scene::Layer::Submaps);
   if (args.slice < 0) return wrong(Text::tr("--slice must be 0 or more."));
   options.slice = args.slice;
   if (args.colors == "normal")

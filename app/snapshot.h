@@ -49,7 +49,6 @@ struct SnapshotOptions {
   double rotation_rad = 0;
   std::set<scene::Layer>
       layers;  // without Submaps and WholeMap, which follow from the mode unless both are named
-  bool without_submaps = false;  // layers were named, and submaps are not among them
   std::set<scene::Layer> named;  // named one by one: a warning is printed if one of them stays empty
   robot::TopicChoices topics;    // --layers NAME=TOPIC
   bool robot_anyway = false;     // draw the robot also on a map that it is not in

@@ -58,7 +58,7 @@ class ScenePicture : public SnapshotPicture {
     for (const scene::Layer layer : scene::allLayers()) {
       scene_.setLayerVisible(layer, options_.layers.contains(layer));
     }
-    scene_.setLayerVisible(scene::Layer::Submaps, content_.submaps && !options_.without_submaps);
+    scene_.setLayerVisible(scene::Layer::Submaps, content_.submaps);
     scene_.setLayerVisible(scene::Layer::WholeMap, content_.whole);
     scene_.setLayerVisible(scene::Layer::Regions, content_.regions != nullptr);
     // A submap without the chosen slice is complete: its picture stays the same unless the marks are asked

@@ -73,15 +73,13 @@ suite::Facts factsOf(const SnapshotRun& run) {
   facts.theme = options.dark ? "dark" : "light";
   for (const Layer layer : scene::allLayers()) {
     const bool is_drawn = layer == Layer::WholeMap  ? options.wantsWhole()
-                          : layer == Layer::Submaps ? options.wantsSubmaps() && !options.without_submaps
+                          : layer == Layer::Submaps ? options.wantsSubmaps()
                                                     : draws(layer);
     if (is_drawn) facts.layers.push_back(scene::layerName(layer).toStdString());
   }
   const bool whole = options.wantsWhole() && session.wholeMap().cells();
   if (whole) addMap(session, draws(Layer::Overlays), facts);
-  const bool by_submaps = draws(Layer::Outlines) || draws(Layer::Ids) || draws(Layer::Constraints) ||
-                          draws(Layer::Problems) || !options.without_submaps;
-  if (options.wantsSubmaps() && by_submaps) addSubmaps(session, facts);
+  if (options.wantsSubmaps()) addSubmaps(session, facts);
   const auto& info = session.live().map_info;
   if (draws(Layer::Overlays) && facts.overlays.empty() && info)
     facts.overlays = suite::overlaysText(info->overlays);

@@ -93,6 +93,54 @@ class CommandLineTest : public QObject {
     QVERIFY(outcome.out.isEmpty());
   }
 
+  void aWrongWordIsNamedWithTheNearestRightOne_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const char* line, const char* sentence) {
+      QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(sentence);
+    };
+    row("overlays vlidate", "vlidate: no such subcommand of overlays. Did you mean validate?");
+    row("overlays val", "val: no such subcommand of overlays. Did you mean validate?");
+    row("maps zzzzzz", "zzzzzz: no such subcommand of maps.");
+    row("snapshot --robt x", "--robt: no such option of snapshot. Did you mean --robot?");
+    row("snapshot --robt=x", "--robt: no such option of snapshot. Did you mean --robot?");
+    row("snapshot --robot demo: -o p.png --szie 4x4",
+        "--szie: no such option of snapshot. Did you mean --size?");
+    row("maps list --robot demo: --jsn", "--jsn: no such option of maps list. Did you mean --json?");
+    row("maps list --qqqqqqqqq", "--qqqqqqqqq: no such option of maps list.");
+    row("maps list one two", "one: one word too many for maps list. Quote a name that has blanks in it.");
+    row("--robo demo:", "--robo: no such option of mapwright. Did you mean --robot?");
+    row("snapshto", "snapshto is neither a subcommand nor an existing file. Did you mean snapshot?");
+    row("play nosuch.mcap", "nosuch.mcap: there is no such file.");
+    row("nosuch.bag", "nosuch.bag: there is no such file.");
+    row("snapshot", "--output is required (see mapwright snapshot --help)");
+  }
+  void aWrongWordIsNamedWithTheNearestRightOne() {
+    QFETCH(QString, line);
+    QFETCH(QString, sentence);
+    const Outcome outcome = run(line.split(QLatin1Char(' ')));
+    QCOMPARE(outcome.err, sentence + QLatin1Char('\n'));
+    QCOMPARE(outcome.code, 2);
+    QVERIFY(outcome.out.isEmpty());
+  }
+
+  void aCommandWithoutItsSubcommandListsThem() {
+    const Outcome outcome = run({QStringLiteral("overlays")});
+    QCOMPARE(outcome.code, 2);
+    QVERIFY2(outcome.err.startsWith(QLatin1String("overlays needs a subcommand: get, set, ")),
+             qPrintable(outcome.err));
+  }
+
+  void whoStopsReadingHearsNothingOfIt() {
+    QProcess shell;
+    shell.start(QStringLiteral("bash"),
+                {QStringLiteral("-c"), QStringLiteral("set -o pipefail; \"$0\" --help-all | head -1"),
+                 QStringLiteral(MAPWRIGHT_PROGRAM)});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.readAllStandardError(), QByteArray());
+    QCOMPARE(shell.exitCode(), 0);
+  }
+
   void aRobotThatIsNotThereIsExitCodeThree() {
     const Outcome outcome =
         run({QStringLiteral("snapshot"), QStringLiteral("--robot"),

@@ -11,6 +11,7 @@
 #include "../session/fake_robot.h"
 #include "app/exit_code.h"
 #include "app/snapshot_run.h"
+#include "scene/layer.h"
 #include "test_program.h"
 
 namespace test_snapshot_content {
@@ -92,6 +93,10 @@ class SnapshotContentTest : public QObject {
   void answerEverySubmap() {
     while (!robot_->open.empty()) robot_->answer(Outcome::Ok, 0, 90);
   }
+  bool answeredAndFinished() {
+    answerEverySubmap();
+    return !finished_->isEmpty();
+  }
 
  private Q_SLOTS:
   void cleanup() {
@@ -131,6 +136,38 @@ class SnapshotContentTest : public QObject {
     QCOMPARE(exitCode(), int(app::kDone));
     QCOMPARE(mapId(), QStringLiteral("7"));
     QCOMPARE(grayInTheMiddle("seven.png"), 200);
+  }
+
+  void namingALayerNeverTakesTheMapAway_data() {
+    QTest::addColumn<QString>("layers");
+    QTest::addColumn<QString>("mode");
+    for (const char* mode : {"submaps", "whole"}) {
+      for (const scene::Layer layer : scene::allLayers()) {
+        // A map above the map hides it.
+        if (scene::specOf(layer).in_all && layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap)
+          QTest::newRow(qPrintable(QLatin1String(mode) + QLatin1Char(' ') + scene::layerName(layer)))
+              << scene::layerName(layer) << QString::fromLatin1(mode);
+      }
+    }
+  }
+  void namingALayerNeverTakesTheMapAway() {
+    QFETCH(QString, layers);
+    QFETCH(QString, mode);
+    QList<int> grays;
+    for (const QString& named : {QStringLiteral("none"), layers}) {
+      app::SnapshotArguments asked = words("layer.png");
+      asked.mode = mode.toStdString();
+      asked.layers = named.toStdString();
+      begin(asked);
+      robot_->say(liveMap(70));
+      robot_->say(listOf(1, "u"));
+      answerEverySubmap();
+      QTRY_VERIFY_WITH_TIMEOUT(answeredAndFinished(), 60'000);
+      const QImage picture(folder_.filePath(QStringLiteral("layer.png")));
+      QVERIFY(!picture.isNull());
+      grays << qGray(picture.pixel(92, 108));  // beside the lines of the grid
+    }
+    QCOMPARE(grays[1], grays[0]);
   }
 
   void aRobotThatIsGoneLeavesTimeToDrawWhatHasCome() {

@@ -29,7 +29,7 @@ class SnapshotOptionsTest : public QObject {
     QVERIFY(options.has_value());
     QVERIFY(!options->center_m);
     QCOMPARE(options->size_px, QSize(1280, 800));
-    QVERIFY(options->mode == SnapshotMode::Automatic && !options->without_submaps);
+    QVERIFY(options->mode == SnapshotMode::Automatic);
     QVERIFY(options->layers.contains(scene::Layer::Robot) && !options->layers.contains(scene::Layer::Ids));
   }
 
@@ -64,14 +64,6 @@ class SnapshotOptionsTest : public QObject {
     w.map = "mapping:48";
     options = parseSnapshotOptions(w);
     QVERIFY(options && options->mode == SnapshotMode::Whole && options->map->kind == map::MapKind::Mapping);
-  }
-
-  void namedLayersWithoutTheSubmapsHideThem() {
-    SnapshotArguments w = words();
-    w.layers = "grid,robot";
-    QVERIFY(parseSnapshotOptions(w)->without_submaps);
-    w.layers = "none";
-    QVERIFY(!parseSnapshotOptions(w)->without_submaps);
   }
 
   void aBarePictureTakesItsPlaceFromTheOptions() {
