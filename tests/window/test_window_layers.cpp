@@ -301,6 +301,25 @@ class TestWindowLayers : public QObject {
     QCOMPARE(palette.list()->item(0)->text(), QStringLiteral("Layers: Map only"));
   }
 
+  void everyCommandIsFoundByItsName() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    CommandPalette palette(window.actionList(), Findings(), nullptr);
+    for (const Actions::Entry& entry : window.actionList().entries()) {
+      if (!entry.action->isVisible()) continue;
+      palette.field()->setText(nameAlone(entry));
+      QVERIFY2(palette.list()->item(0)->text().startsWith(nameAlone(entry)), qPrintable(nameAlone(entry)));
+    }
+    // What cannot be done now is found and does nothing: no other command in its place.
+    QVERIFY(!bench.action("redo")->isEnabled());
+    const bool before = bench.action("replayReadAll")->isChecked();
+    palette.show();
+    palette.field()->setText(QStringLiteral("redo"));
+    QTest::keyClick(palette.field(), Qt::Key_Return);
+    QVERIFY(palette.isVisible());
+    QCOMPARE(bench.action("replayReadAll")->isChecked(), before);
+  }
+
   void presetsAreSavedRenamedAndDeleted() {
     Bench bench;
     const scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};

@@ -201,6 +201,41 @@ class TestWindowText : public QObject {
     QVERIFY(*fuzzyScore(QStringLiteral("fit"), QStringLiteral("Fit")) >
             *fuzzyScore(QStringLiteral("fit"), QStringLiteral("Filter it")));
     QVERIFY(fuzzyScore({}, QStringLiteral("Fit")));
+    const QString report = QStringLiteral("Replay: Report of this moment");
+    for (const char* typed :
+         {"report of", "rep", "of this", "port", "rtm", "Report of this moment", "replay report"})
+      QVERIFY2(fuzzyScore(QLatin1String(typed), report), typed);
+    // From better to worse.
+    std::optional<int> last;
+    for (const char* text :
+         {"Redo", "Redo all", "The redo list", "Predominant", "Read the whole bag"}) {
+      const auto score = fuzzyScore(QStringLiteral("redo"), QLatin1String(text));
+      QVERIFY2(score && (!last || *score < *last), text);
+      last = score;
+    }
+  }
+
+  void findsEveryPlaceOfLettersInOrder() {
+    // Against the plain rule: the letters stand in the text in this order.
+    QRandomGenerator random(7);
+    const QString letters = QStringLiteral("ab c");
+    const auto word = [&](int most) {
+      QString made;
+      for (int i = random.bounded(1, most); i > 0; --i) made += letters[random.bounded(4)];
+      return made;
+    };
+    for (int i = 0; i < 3000; ++i) {
+      const QString typed = word(5), text = word(12);
+      qsizetype at = 0;
+      bool there = true;
+      for (const QChar letter : typed.simplified()) {
+        if (letter.isSpace()) continue;
+        at = text.indexOf(letter, at) + 1;
+        there = there && at > 0;
+        if (!there) break;
+      }
+      QVERIFY2(fuzzyScore(typed, text).has_value() == there, qPrintable(typed + QLatin1Char('|') + text));
+    }
   }
 
   void tellsWhatToDoOnAnEmptyMap() {

@@ -8,6 +8,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QRegularExpression>
+#include <QStyle>
 #include <QStyledItemDelegate>
 
 #include "ui/kit/actions.h"
@@ -23,6 +25,20 @@ constexpr int kKeysRole = Qt::UserRole + 1;
 constexpr int kMenuRole = Qt::UserRole + 2;
 constexpr int kFindingRole = Qt::UserRole + 3;
 
+/// Whether each word of `typed` begins a word of `name`, in the same order.
+bool wordsBeginIn(const QString& typed, const QString& name) {
+  static const QRegularExpression kBetween(QStringLiteral("[^\\w]+"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+  const QStringList words = name.split(kBetween, Qt::SkipEmptyParts);
+  auto at = words.begin();
+  for (const QString& each : typed.split(kBetween, Qt::SkipEmptyParts)) {
+    at = std::find_if(at, words.end(), [&](const QString& word) { return word.startsWith(each); });
+    if (at == words.end()) return false;
+    ++at;
+  }
+  return true;
+}
+
 /// Name on the left, menu and keys on the right.
 class CommandDelegate : public QStyledItemDelegate {
  public:
@@ -33,46 +49,72 @@ class CommandDelegate : public QStyledItemDelegate {
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    QStyledItemDelegate::paint(painter, option, index);
-    const UiColors colors = appColors();
-    QRect right = option.rect.adjusted(0, 0, -10, 0);
-    painter->setPen(colors.secondary_text);
-    const QString keys = index.data(kKeysRole).toString();
-    painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, keys);
-    right.setRight(right.right() - 90);
-    painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, index.data(kMenuRole).toString());
+    const Columns columns(option, index);
+    QStyleOptionViewItem left = option;
+    left.rect.setRight(columns.name_right);
+    // The background goes behind all of the row.
+    option.widget->style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
+    QStyledItemDelegate::paint(painter, left, index);
+    painter->setPen(appColors().secondary_text);
+    painter->drawText(columns.keys, Qt::AlignRight | Qt::AlignVCenter, index.data(kKeysRole).toString());
+    painter->drawText(columns.menu, Qt::AlignRight | Qt::AlignVCenter, index.data(kMenuRole).toString());
   }
+
+ private:
+  static constexpr int kGap = 12, kKeysAtLeast = 78;
+  /// The keys stand in a column of their own where they fit; the name gets what is left, and is elided there.
+  struct Columns {
+    Columns(const QStyleOptionViewItem& option, const QModelIndex& index) {
+      const auto widthOf = [&](int role) {
+        return option.fontMetrics.horizontalAdvance(index.data(role).toString());
+      };
+      keys = option.rect.adjusted(0, 0, -10, 0);
+      keys.setLeft(keys.right() - std::max(kKeysAtLeast, widthOf(kKeysRole)));
+      menu = keys;
+      menu.setRight(keys.left() - kGap);
+      menu.setLeft(menu.right() - widthOf(kMenuRole));
+      name_right = menu.left() - kGap;
+    }
+    QRect keys, menu;
+    int name_right = 0;
+  };
 };
 
 }  // namespace
 
 std::optional<int> fuzzyScore(const QString& pattern, const QString& text) {
-  int score = 0;
-  qsizetype at = -1;
+  constexpr int kEqual = 1500, kBegins = 800, kWords = 600, kContains = 400;
+  constexpr int kLetter = 1, kWordStart = 8, kRun = 6, kFirst = 4;
+  const QString typed = pattern.simplified().toLower(), name = text.toLower();
+  // The best score with the letters so far, of which the last is at each place of the name.
+  constexpr int kNone = -1;
+  std::vector<int> best, before;
   bool run = false;
-  for (const QChar wanted : pattern) {
+  for (const QChar wanted : typed) {
     if (wanted.isSpace()) {
       run = false;
       continue;
     }
-    // Prefers the beginning of a word to the next matching letter.
-    qsizetype found = -1;
-    for (qsizetype i = at + 1; i < text.size(); ++i) {
-      if (text[i].toLower() != wanted.toLower()) continue;
-      const bool starts_word = i == 0 || !text[i - 1].isLetterOrNumber();
-      if (found < 0) found = i;
-      if (starts_word || (run && i == at + 1)) {
-        found = i;
-        break;
-      }
+    before.swap(best);
+    best.assign(std::size_t(name.size()), kNone);
+    int so_far = before.empty() ? 0 : kNone;  // the best that ends before the place
+    for (qsizetype i = 0; i < name.size(); ++i) {
+      const int neighbour = before.empty() || i == 0 ? kNone : before[std::size_t(i) - 1];
+      so_far = std::max(so_far, neighbour);
+      if (name[i] != wanted || so_far == kNone) continue;
+      const bool starts_word = i == 0 || !name[i - 1].isLetterOrNumber();
+      const int behind = run && neighbour != kNone ? std::max(so_far, neighbour + kRun) : so_far;
+      best[std::size_t(i)] = behind + kLetter + (starts_word ? kWordStart : 0) + (i == 0 ? kFirst : 0);
     }
-    if (found < 0) return std::nullopt;
-    const bool starts_word = found == 0 || !text[found - 1].isLetterOrNumber();
-    score += 1 + (starts_word ? 8 : 0) + (run && found == at + 1 ? 6 : 0) + (found == 0 ? 4 : 0);
-    at = found;
     run = true;
   }
-  return score;
+  if (typed.isEmpty()) return 0;
+  const int letters = best.empty() ? kNone : *std::max_element(best.begin(), best.end());
+  if (letters == kNone) return std::nullopt;
+  if (name == typed) return kEqual + letters;
+  if (name.startsWith(typed)) return kBegins + letters;
+  if (wordsBeginIn(typed, name)) return kWords + letters;
+  return (name.contains(typed) ? kContains : 0) + letters;
 }
 
 CommandPalette::CommandPalette(const Actions& actions, const Findings& findings, QWidget* parent)
@@ -117,12 +159,13 @@ void CommandPalette::fill() {
     if (!entry.action->isVisible()) continue;
     const QString name = nameAlone(entry);
     // A menu's name also finds its actions, after those whose own name matches.
+    constexpr int kOfMenu = 500;
     std::optional<int> score = fuzzyScore(typed, name);
-    if (!score) {
-      score = fuzzyScore(typed, entry.menu + QLatin1Char(' ') + name);
-      if (score) *score -= 100;
-    }
-    if (score) hits.push_back({*score - (entry.action->isEnabled() ? 0 : 1000), &entry, 0});
+    if (const auto with_menu = fuzzyScore(typed, entry.menu + QLatin1Char(' ') + name))
+      score = std::max(score.value_or(*with_menu - kOfMenu), *with_menu - kOfMenu);
+    // What was typed comes first also where it cannot be done now: Enter does nothing else then.
+    const int demoted = typed.isEmpty() && !entry.action->isEnabled() ? 1000 : 0;
+    if (score) hits.push_back({*score - demoted, &entry, 0});
   }
   found_.clear();
   if (!typed.isEmpty()) {

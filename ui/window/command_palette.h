@@ -16,8 +16,8 @@ namespace mapwright::window {
 class Actions;
 
 /// How well `pattern` (letters in order, gaps allowed, case-insensitive) matches `text`: higher is better,
-/// nullopt = not at all. Matches at word starts and contiguous runs count more. An empty pattern matches
-/// everything equally.
+/// nullopt = not at all. The whole text is best, then its beginning, then beginnings of its words, then any
+/// part of it; letters with gaps come last. An empty pattern matches everything equally.
 std::optional<int> fuzzyScore(const QString& pattern, const QString& text);
 
 class CommandPalette : public QDialog {
