@@ -64,6 +64,8 @@ class MapSlot : public QObject {
   /// The data that came with the picture on screen (trajectories, landmarks, overlays); `bytes` and `cells`
   /// are not kept.
   const map::WholeMap& shown() const { return shown_; }
+  /// It shows an earlier state of a map (Session::keepForComparing).
+  bool showsEarlierState() const { return cells() && shown_.state_of.has_value(); }
 
   /// The map on screen as received, to show it elsewhere; nullopt if there is none.
   const std::optional<map::WholeMap>& source() const { return shown_source_; }

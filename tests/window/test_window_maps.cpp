@@ -387,7 +387,7 @@ class TestWindowMaps : public QObject {
     part<CompareController>(window)->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QCOMPARE(names().left, QStringLiteral("Map 1 (id 1)"));
-    QCOMPARE(names().right, QStringLiteral("Map 1 (as it was saved)"));
+    QCOMPARE(names().right, QStringLiteral("Map 1 (before)"));
     QCOMPARE(part<CompareController>(window)->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
     part<CompareController>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
@@ -434,7 +434,7 @@ class TestWindowMaps : public QObject {
     part<CompareController>(window)->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QCOMPARE(part<CompareController>(window)->bar()->second()->currentText(),
-             QStringLiteral("Keep the current state"));
+             QStringLiteral("The state before"));
     bench.key(Qt::Key_Escape);
     QVERIFY(!part<CompareController>(window)->active());
   }

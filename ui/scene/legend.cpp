@@ -22,16 +22,21 @@ class LegendText {
 };
 
 LegendSection differenceLegend(const Legend::Source& source) {
+  const bool earlier = source.session && source.session->comparedMap().showsEarlierState();
   using render::Difference;
   Legend legend(Layer::WholeMap, source);
   const render::GridPalette palette = render::differencePalette(source.context.theme.dark);
   const auto add = [&](Difference what, const QString& text) {
     legend.addCell(text, cellColor(palette[std::size_t(what)]));
   };
-  add(Difference::Appeared, LegendText::tr("New in the second map"));
-  add(Difference::Vanished, LegendText::tr("Gone in the second map"));
-  add(Difference::OnlyFirst, LegendText::tr("Known in the first map only"));
-  add(Difference::OnlySecond, LegendText::tr("Known in the second map only"));
+  add(Difference::Appeared,
+      earlier ? LegendText::tr("New since then") : LegendText::tr("New in the second map"));
+  add(Difference::Vanished,
+      earlier ? LegendText::tr("Gone since then") : LegendText::tr("Gone in the second map"));
+  add(Difference::OnlyFirst,
+      earlier ? LegendText::tr("Known then only") : LegendText::tr("Known in the first map only"));
+  add(Difference::OnlySecond,
+      earlier ? LegendText::tr("Known now only") : LegendText::tr("Known in the second map only"));
   add(Difference::SameOccupied, LegendText::tr("Occupied in both"));
   add(Difference::SameFree, LegendText::tr("Free in both"));
   return {LegendText::tr("Difference"), legend.rows()};

@@ -221,8 +221,10 @@ void RasterStack::syncSlot(const session::MapSlot& slot, RasterLayer& raster) {
 }
 
 void RasterStack::syncDifference() {
-  const auto first = session_ ? placedOf(session_->wholeMap()) : std::nullopt;
-  const auto second = session_ ? placedOf(session_->comparedMap()) : std::nullopt;
+  auto first = session_ ? placedOf(session_->wholeMap()) : std::nullopt;
+  auto second = session_ ? placedOf(session_->comparedMap()) : std::nullopt;
+  // What is new or gone is so against the state before.
+  if (session_ && session_->comparedMap().showsEarlierState()) std::swap(first, second);
   difference_->renderer().setPalette(render::differencePalette(context_.theme.dark));
   if (first && second) {
     difference_->renderer().setGrid(first, second);

@@ -24,13 +24,29 @@ namespace {
 
 using scene::CompareMode;
 
+/// What a colour of the difference means against a second map, and against an earlier state of the same one.
+QString meaningOf(render::Difference what, bool earlier) {
+  switch (what) {
+    case render::Difference::Appeared:
+      return earlier ? CompareBar::tr("new since then") : CompareBar::tr("new in the second");
+    case render::Difference::Vanished:
+      return earlier ? CompareBar::tr("gone since then") : CompareBar::tr("gone in the second");
+    case render::Difference::OnlyFirst:
+      return earlier ? CompareBar::tr("known then only") : CompareBar::tr("known in the first only");
+    default:
+      return earlier ? CompareBar::tr("known now only") : CompareBar::tr("known in the second only");
+  }
+}
+
 /// A swatch in the colour of the difference, with its label.
 class LegendEntry : public QWidget {
  public:
-  LegendEntry(render::Difference what, const QString& text, QWidget* parent)
-      : QWidget(parent), what_(what), text_(text) {
-    setFixedSize(fontMetrics().horizontalAdvance(text) + 24, 20);
-    setAccessibleName(text);
+  LegendEntry(render::Difference what, QWidget* parent) : QWidget(parent), what_(what) { setEarlier(false); }
+  void setEarlier(bool earlier) {
+    text_ = meaningOf(what_, earlier);
+    setFixedSize(fontMetrics().horizontalAdvance(text_) + 24, 20);
+    setAccessibleName(text_);
+    update();
   }
 
  protected:
@@ -86,13 +102,9 @@ CompareBar::CompareBar(QWidget* parent)
   auto* legend_row = new QHBoxLayout(legend_);
   legend_row->setContentsMargins(0, 0, 0, 0);
   legend_row->setSpacing(12);
-  const auto entry = [&](render::Difference what, const QString& text) {
-    legend_row->addWidget(new LegendEntry(what, text, legend_));
-  };
-  entry(render::Difference::Appeared, tr("new in the second"));
-  entry(render::Difference::Vanished, tr("gone in the second"));
-  entry(render::Difference::OnlyFirst, tr("known in the first only"));
-  entry(render::Difference::OnlySecond, tr("known in the second only"));
+  for (const auto what : {render::Difference::Appeared, render::Difference::Vanished,
+                          render::Difference::OnlyFirst, render::Difference::OnlySecond})
+    legend_row->addWidget(new LegendEntry(what, legend_));
   legend_row->addStretch();
 
   auto* line =
@@ -125,7 +137,8 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     offer(entry.key, title);
   }
   if (session->wholeMap().source() || (chosen && std::holds_alternative<KeptState>(*chosen)))
-    offer(KeptState{}, tr("Keep the current state"));
+    offer(KeptState{},
+          chosen == SecondMap(KeptState{}) ? tr("The state before") : tr("Keep the current state"));
   const bool file = chosen && std::holds_alternative<FileAside>(*chosen);
   offer(FileAside{}, file ? comparedNames(*session).right : tr("File…"));
   if (offers != offers_ || titles != titles_) {
@@ -157,6 +170,9 @@ void CompareBar::sync(session::Session* session, CompareMode mode, const std::op
   difference_->setToolTip(submaps ? tr("Only two whole maps can be subtracted from each other")
                                   : tr("Show the differences in colour"));
   legend_->setVisible(mode == CompareMode::Difference);
+  for (QObject* const child : legend_->children()) {
+    if (auto* const entry = dynamic_cast<LegendEntry*>(child)) entry->setEarlier(second.showsEarlierState());
+  }
   QString status;
   if (second.phase() == session::MapSlot::Phase::Failed) {
     status = sentences::sentenceOf(second.remark());

@@ -27,7 +27,7 @@ QString nameOf(const MapSlot& slot) {
 QString markOf(const MapSlot& slot) {
   const map::WholeMap& shown = slot.shown();
   const map::MapKey& key = slot.cells() ? shown.key : slot.key();
-  if (shown.state_of) return QCoreApplication::translate("window", "as it was saved");
+  if (shown.state_of) return QCoreApplication::translate("window", "before");
   if (key.kind == map::MapKind::Live) return QCoreApplication::translate("window", "live");
   if (key.kind == map::MapKind::File)
     return plainWords(shown.path.empty() ? map::toText(key) : shown.path, 120);
