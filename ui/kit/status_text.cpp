@@ -136,8 +136,10 @@ QString plainWords(const std::string& words, int limit) {
   return line + QChar(0x2026);
 }
 
+QString plainWords(const QString& words, int limit) { return plainWords(words.toStdString(), limit); }
+
 QString mapTitle(const std::string& name) {
-  const QString title = words::plainName(name).left(300);
+  const QString title = plainWords(name, 300);
   return title.isEmpty() ? QCoreApplication::translate("window", "(no name)") : title;
 }
 

@@ -61,6 +61,7 @@ QString rotationText(double rotation_rad);
 /// A robot's text as one line: no control or invisible characters (some change the writing direction of what
 /// follows), at most `limit` characters.
 QString plainWords(const std::string& words, int limit);
+QString plainWords(const QString& words, int limit);
 
 /// "1.5 KB", "42.1 MB".
 QString bytesText(qint64 bytes);

@@ -4,9 +4,11 @@
 #include <tuple>
 #include <utility>
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -43,8 +45,7 @@ constexpr int kSessionFollowsMs = 15'000;
 
 QString called(const map::CatalogueEntry* map) {
   if (!map) return {};
-  return map->name.empty() ? QString::fromStdString(map::toText(map->key))
-                           : words::plainName(map->name).left(80);
+  return map->name.empty() ? QString::fromStdString(map::toText(map->key)) : plainWords(map->name, 80);
 }
 
 /// What is said of the robot's new session when one follows from the change; empty: nothing. nullopt: none
@@ -112,7 +113,8 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       question.ends_something = true;
       if (map && map->is_current) {
         question.text += QLatin1Char(' ') + ChangeDialog::tr("The robot is using it now.");
-        question.typed = name;
+        question.typed = {words::plainName(map->name), words::plainName(map->key.id)};
+        question.typed.removeAll(QString());
       }
       break;
     case MapChange::StartMapping:
@@ -212,8 +214,19 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
   if (!question_.typed.isEmpty()) {
     typed_ = new QLineEdit(this);
     typed_->setObjectName(QStringLiteral("typed"));
-    typed_->setPlaceholderText(question_.typed);
-    form->addRow(tr("&Type its name"), typed_);
+    typed_->setPlaceholderText(question_.typed.first());
+    auto* const copy = new QPushButton(tr("&Copy name"), this);
+    copy->setAutoDefault(false);
+    connect(copy, &QPushButton::clicked, this, [this] {
+      QGuiApplication::clipboard()->setText(question_.typed.first());
+      typed_->setFocus();
+    });
+    auto* const row = new QHBoxLayout;
+    row->addWidget(typed_, 1);
+    row->addWidget(copy);
+    auto* const label = new QLabel(tr("&Type its name or id"), this);
+    label->setBuddy(typed_);
+    form->addRow(label, row);
     connect(typed_, &QLineEdit::textChanged, this, &ChangeDialog::check);
   }
   if (question_.ends_something) {
@@ -272,7 +285,8 @@ QString ChangeDialog::whyNot() const {
     if (question_.order.change == robot::MapChange::Rename && name_->text() == *question_.name)
       return tr("It already has this name.");
   }
-  if (typed_ && typed_->text() != question_.typed) return tr("Type the name of the map to delete it.");
+  if (typed_ && !question_.typed.contains(typed_->text().simplified()))
+    return tr("Type the name or the id of the map to delete it.");
   return {};
 }
 
@@ -316,8 +330,7 @@ void ChangeDialog::take(const Outcome& outcome) {
     QString said = jobs::oddity(question_.order, *outcome);
     const bool as_asked = said.isEmpty();
     if (as_asked) said = question_.done;
-    if (as_asked && said.contains(QLatin1String("%1")))
-      said = said.arg(words::plainName(outcome->name).left(80));
+    if (as_asked && said.contains(QLatin1String("%1"))) said = said.arg(plainWords(outcome->name, 80));
     Q_EMIT done(*outcome, said, as_asked);
     accept();
     return;

@@ -33,7 +33,7 @@ struct ChangeQuestion {
   QString title, text, accept;
   std::optional<QString> name = {};  // asks for a name, with this initial value
   bool asks_place = false;           // asks where the robot is
-  QString typed = {};                // must be typed to prevent accidents; empty = nothing
+  QStringList typed = {};            // one of them must be typed to prevent accidents; empty = nothing
   bool ends_something = false;       // it cannot be undone: Enter does not trigger it
   QString done = {};                 // the message on success; %1 is the new name of the map
   /// What is worth knowing of a name that may be given.

@@ -7,6 +7,7 @@
 #include <QMimeData>
 
 #include "ui/kit/folders.h"
+#include "ui/kit/status_text.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -51,7 +52,7 @@ void FilesController::open(const QString& path) {
   } else {
     refuse(tr("%1 is neither a map nor a recording. Choose a map.yaml, a picture (PNG, PGM, BMP), overlays "
               "(GeoJSON), an MCAP file or a bag (.bag, .db3).")
-               .arg(info.fileName().left(120)));
+               .arg(plainWords(info.fileName(), 120)));
   }
 }
 

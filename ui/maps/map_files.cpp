@@ -15,6 +15,7 @@
 #include "sentences/fault_sentence.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -114,7 +115,7 @@ QString intro(const QString& picture, const QStringList& named_by) {
     return PictureDialog::tr("%1 is a picture without a map.yaml. %2").arg(picture, question);
   constexpr qsizetype kMostNames = 4;
   QStringList names;
-  for (const QString& path : named_by.mid(0, kMostNames)) names << QFileInfo(path).fileName().left(60);
+  for (const QString& path : named_by.mid(0, kMostNames)) names << plainWords(QFileInfo(path).fileName(), 60);
   if (named_by.size() > kMostNames) names << QStringLiteral("…");
   return PictureDialog::tr(
              "Several map.yaml files name %1: %2. Open the right one instead, or enter the values here. %3")
@@ -137,7 +138,7 @@ PictureDialog::PictureDialog(const QString& path, const QStringList& named_by, c
   setMinimumWidth(440);
   intro_->setTextFormat(Qt::PlainText);
   intro_->setWordWrap(true);
-  intro_->setText(intro(QFileInfo(path).fileName().left(120), named_by));
+  intro_->setText(intro(plainWords(QFileInfo(path).fileName(), 120), named_by));
   resolution_->setObjectName(QStringLiteral("resolution"));
   x_->setObjectName(QStringLiteral("originX"));
   y_->setObjectName(QStringLiteral("originY"));

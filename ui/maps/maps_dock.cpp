@@ -321,7 +321,7 @@ void MapsDock::showMenu(const QPoint& at) {
     menu.addSeparator();
     menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy id"), this, [this, key] {
       const QString id = QString::fromStdString(key->id);
-      Q_EMIT copyWanted(id, tr("Copied %1").arg(id.left(80)));
+      Q_EMIT copyWanted(id, tr("Copied %1").arg(plainWords(id, 80)));
     });
   }
   menu.exec(list_->viewport()->mapToGlobal(at));

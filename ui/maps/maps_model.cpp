@@ -48,7 +48,7 @@ QString mapDetail(const map::CatalogueEntry& entry) {
   if (date && *date > 0 && *date < 4e9) {
     parts << QDateTime::fromSecsSinceEpoch(qint64(*date)).toString(QStringLiteral("yyyy-MM-dd"));
   }
-  if (!entry.state.empty()) parts << words::plainName(entry.state).left(40);
+  if (!entry.state.empty()) parts << plainWords(entry.state, 40);
   if (entry.grid && entry.grid->width > 0 && entry.grid->height > 0) {
     parts << QStringLiteral("%1 x %2").arg(countText(entry.grid->width), countText(entry.grid->height));
   }

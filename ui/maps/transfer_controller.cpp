@@ -201,8 +201,7 @@ void TransferController::askWhereTo(const map::MapKey& key) {
   const map::CatalogueEntry entry = *map;
   const QString downloads = QStandardPaths::writableLocation(QStandardPaths::DownloadLocation);
   const QString parent = QFileDialog::getExistingDirectory(
-      &context_.window,
-      tr("Choose where the folder of %1 is made").arg(words::plainName(entry.name).left(60)),
+      &context_.window, tr("Choose where the folder of %1 is made").arg(plainWords(entry.name, 60)),
       folderToWriteInto({context_.settings.value(kDownloadsKey).toString(), downloads}));
   if (parent.isEmpty()) return;
   context_.settings.setValue(kDownloadsKey, parent);
@@ -268,9 +267,8 @@ void TransferController::create(const QString& path) {
           if (asked != asked_) return;
           if (*preview) return askForPlace(path, (*preview)->size, (*preview)->shown);
           context_.overlay.toasts()->add(
-              Mark::Bad, tr("%1 cannot be a map: %2")
-                             .arg(words::plainName(QFileInfo(path).fileName().toStdString()).left(80),
-                                  preview->error()));
+              Mark::Bad,
+              tr("%1 cannot be a map: %2").arg(plainWords(QFileInfo(path).fileName(), 80), preview->error()));
         },
         Qt::QueuedConnection);
   });
@@ -331,7 +329,7 @@ void TransferController::send(const robot::NewMap& map) {
       const QStringList odd = jobs::differences(map, held);
       QMetaObject::invokeMethod(
           this,
-          [this, asked, odd, also, name = words::plainName(held.facts.name).left(80)] {
+          [this, asked, odd, also, name = plainWords(held.facts.name, 80)] {
             if (asked == asked_ && dialog_) tellAdded(name, odd, also);
           },
           Qt::QueuedConnection);

@@ -13,6 +13,7 @@
 #include "overlays/overlay_edits.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -69,7 +70,7 @@ CollectionDialog::CollectionDialog(const Feature& collection, QWidget* parent)
   for (const auto& member : properties ? properties->children() : std::vector<overlays::JsonValue>()) {
     const std::string name = member.key();
     if (std::find(kSizeNames.begin(), kSizeNames.end(), name) == kSizeNames.end())
-      others << words::plainName(name).left(60);
+      others << plainWords(name, 60);
   }
   if (!others.isEmpty())
     column->addWidget(wrappedLabel(tr("Kept as they are: %1").arg(others.join(QStringLiteral(", "))), this));

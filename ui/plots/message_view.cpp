@@ -155,7 +155,7 @@ void MessageView::mouseReleaseEvent(QMouseEvent* event) {
 void MessageView::contextMenuEvent(QContextMenuEvent* event) {
   const std::unique_ptr<QMenu> menu(createStandardContextMenu());
   if (const auto field = fieldBelow(event->pos())) {
-    QString name = plotName(field->path).left(80);
+    QString name = plainWords(plotName(field->path), 80);
     name.replace(QLatin1Char('&'), QLatin1String("&&"));
     auto* const plot = new QAction(tr("Plot %1").arg(name), menu.get());
     connect(plot, &QAction::triggered, this, [this, path = field->path] { Q_EMIT plotWanted(path); });
@@ -168,3 +168,4 @@ void MessageView::contextMenuEvent(QContextMenuEvent* event) {
 }  // namespace mapwright::window
 
 #include "moc_message_view.cpp"
+#include "ui/kit/status_text.h"

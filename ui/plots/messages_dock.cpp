@@ -302,7 +302,7 @@ void MessagesDock::showMessage(bool force) {
     } else if (!session_->robot().liveTopics()) {
       hint = sentences::whyAbsent(robot::Capability::Live, session_->robot().whyNot(robot::Capability::Live));
     } else if (tally) {
-      hint = tr("Nothing has arrived on %1 yet.").arg(chosen_.left(100));
+      hint = tr("Nothing has arrived on %1 yet.").arg(plainWords(chosen_, 100));
     } else {
       hint = tr("Choose a topic to see its last message.");
     }
@@ -313,7 +313,7 @@ void MessagesDock::showMessage(bool force) {
   shown_count_ = tally->count;
   message_->setTopic(tally->binary ? QString() : chosen_);
   caption_->setText(QStringLiteral("%1  %2, %3%4")
-                        .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
+                        .arg(plainWords(chosen_, 100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
                              bytesText(tally->last_bytes),
                              tally->cut                 ? tr(", truncated")
                              : isShortened(tally->text) ? tr(", long lists shortened")

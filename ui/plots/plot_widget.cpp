@@ -16,6 +16,7 @@
 #include <QPushButton>
 
 #include "ui/kit/plot_ticks.h"
+#include "ui/kit/status_text.h"
 
 namespace mapwright::window {
 
@@ -268,7 +269,7 @@ void PlotWidget::keyPressEvent(QKeyEvent* event) {
 
 void PlotWidget::fillMenu(QMenu& menu) {
   for (std::size_t i = 0; i < curves_.size(); ++i) {
-    QString name = plotName(curves_[i].selection).left(80);
+    QString name = plainWords(plotName(curves_[i].selection), 80);
     name.replace(QLatin1Char('&'), QLatin1String("&&"));
     menu.addAction(tr("Remove %1").arg(name), this, [this, i] { Q_EMIT curveUnwanted(int(i)); });
   }

@@ -18,6 +18,7 @@
 
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -221,7 +222,7 @@ bool PlotsDock::addCurve(PlotWidget* plot, const PlotSelection& selection) {
   }
   if (std::any_of(curves.begin(), curves.end(),
                   [&](const PlotCurve& each) { return each.selection == selection; })) {
-    say(tr("%1 is already in this plot.").arg(plotName(selection).left(100)));
+    say(tr("%1 is already in this plot.").arg(plainWords(plotName(selection), 100)));
     return false;
   }
   // The first free look: removing a curve does not change the others.
@@ -262,7 +263,7 @@ void PlotsDock::addTyped() {
   auto path = series::FieldPath::parse(text.toStdString());
   if (!path) {
     say(tr("\"%1\" is not a field. Enter a topic and a member of its messages, for example /topic.member[0].")
-            .arg(words::plainName(text.left(100))));
+            .arg(plainWords(text, 100)));
     return;
   }
   if (!addCurve(atHand(), *path)) return;
@@ -274,7 +275,7 @@ void PlotsDock::addTyped() {
                                     [&](const QString& each) { return each.startsWith(topic + u'.'); });
   if (of_topic && !known.contains(word))
     say(tr("No message so far has a number %1. It will be drawn as soon as one does.")
-            .arg(words::plainName(word.left(100))));
+            .arg(plainWords(word, 100)));
 }
 
 void PlotsDock::say(const QString& sentence) {

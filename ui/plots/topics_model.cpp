@@ -157,7 +157,7 @@ QString TopicsModel::text(const Row& row, int column) const {
   const bool any = row.count > 0;
   switch (column) {
     case TopicColumn:
-      return row.topic.isEmpty() ? tr("(without a topic)") : words::plainName(row.topic.left(200));
+      return row.topic.isEmpty() ? tr("(without a topic)") : plainWords(row.topic, 200);
     case TypeColumn:
       return !any ? tr("waiting") : row.binary ? tr("binary") : tr("text");
     case CountColumn:

@@ -17,6 +17,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/replay/timeline_axis.h"
@@ -347,11 +348,12 @@ void RecordingsDock::showMenu(const QPoint& at) {
   if (stop_->isEnabled()) add(stop_, &RecordingsDock::stopWanted);
   menu.addSeparator();
   menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy name"), this, [this, key] {
-    Q_EMIT copyWanted(bagCalled(*key), tr("Copied %1").arg(bagCalled(*key).left(80)));
+    Q_EMIT copyWanted(bagCalled(*key), tr("Copied %1").arg(plainWords(bagCalled(*key), 80)));
   });
   if (const BagNote note = model_->note(*key); note.kind == BagNote::Kind::Failed)
-    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy the error"), this,
-                   [this, note] { Q_EMIT copyWanted(note.text, tr("Copied %1").arg(note.text.left(80))); });
+    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy the error"), this, [this, note] {
+      Q_EMIT copyWanted(note.text, tr("Copied %1").arg(plainWords(note.text, 80)));
+    });
   menu.addSeparator();
   add(delete_, &RecordingsDock::deleteWanted);
   menu.exec(table_->viewport()->mapToGlobal(at));

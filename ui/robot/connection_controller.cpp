@@ -149,7 +149,7 @@ void ConnectionController::addRecents(QMenu& menu, bool files, const QString& ti
     QString label =
         words.detail.isEmpty() ? words.title : QStringLiteral("%1  %2").arg(words.title, words.detail);
     label.replace(QLatin1Char('&'), QLatin1String("&&"));  // no mnemonics from robots
-    QAction* const action = menu.addAction(label.left(120));
+    QAction* const action = menu.addAction(plainWords(label, 120));
     action->setToolTip(plainToolTip(robot.address));
     if (const QColor color = robotColor(robot.look.color); color.isValid())
       action->setIcon(robotColorIcon(color));

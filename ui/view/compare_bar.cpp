@@ -130,9 +130,8 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
   if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they are on the left)"));
   if (robot::sendsItsMap(session->robot())) offer(map::MapKey{map::MapKind::Live, {}}, tr("Live map"));
   for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
-    QString title =
-        QStringLiteral("%1  (%2)")
-            .arg(mapTitle(entry.name).left(60), QString::fromStdString(map::toText(entry.key)).left(30));
+    QString title = QStringLiteral("%1  (%2)")
+                        .arg(plainWords(mapTitle(entry.name), 60), plainWords(map::toText(entry.key), 30));
     if (entry.is_current) title += tr("  current");
     offer(entry.key, title);
   }

@@ -107,7 +107,7 @@ HalfNames halfNames(session::Session* session, const scene::MapScene& scene) {
 QString windowTitle(session::Session* session, const scene::MapScene& scene, const QString& called) {
   if (!session) return QStringLiteral("mapwright");
   const replay::ReplayRobot* const replayed = replayOf(session);
-  const QString robot = called.left(80);
+  const QString robot = plainWords(called, 80);
   const QString name =
       replayed ? QCoreApplication::translate("window", "Replay of %1 – %2").arg(bagCalled(*replayed), robot)
                : robot;

@@ -6,6 +6,7 @@
 #include "map/waypoint.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
+#include "ui/kit/status_text.h"
 #include "ui/shell/unsaved_question.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
@@ -31,7 +32,7 @@ QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fi
   if (fields & kTags)
     parts << (point->tags.empty() ? WaypointsText::tr("no tags")
                                   : WaypointsText::tr("tags %1").arg(tagsText(point->tags)));
-  if (fields & kType) parts << WaypointsText::tr("type %1").arg(words::plainName(point->type).left(40));
+  if (fields & kType) parts << WaypointsText::tr("type %1").arg(plainWords(point->type, 40));
   return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral(", "));
 }
 

@@ -29,6 +29,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -336,7 +337,7 @@ void WaypointTransfer::pasteCopied(const std::string& geojson) {
 }
 
 void WaypointTransfer::importFile(const QString& path) {
-  const QString name = words::plainName(QFileInfo(path).fileName()).left(120);
+  const QString name = plainWords(QFileInfo(path).fileName(), 120);
   auto bytes = disk::readFile(path.toStdString(), exchange::kMaxWantedBytes + 1);
   if (!bytes)
     return say(false, tr("%1 cannot be read: %2.").arg(name, sentences::wordsOf(bytes.error().cause)));
@@ -369,8 +370,7 @@ void WaypointTransfer::exportTo(const QString& path) {
   if (const auto fault = disk::writeFile(path.toStdString(), bytes))
     return say(false, sentences::wordsOf(disk::notWritten(*fault)));
   say(true, tr("%1 written to %2")
-                .arg(waypointsText(qsizetype(points.size())),
-                     words::plainName(QFileInfo(path).fileName()).left(80)));
+                .arg(waypointsText(qsizetype(points.size())), plainWords(QFileInfo(path).fileName(), 80)));
 }
 
 bool WaypointTransfer::eventFilter(QObject* watched, QEvent* event) {

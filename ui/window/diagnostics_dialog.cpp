@@ -72,7 +72,7 @@ Table transformsOf(const robot::Reception& now) {
   for (const robot::Reception::TransformAge& one : now.transforms) {
     if (table.rows.size() == kMost) break;
     table.rows << Row{QCoreApplication::translate("window", "%1 in %2")
-                          .arg(words::plainName(one.child.left(60)), words::plainName(one.parent.left(60))),
+                          .arg(plainWords(one.child, 60), plainWords(one.parent, 60)),
                       QString::number(one.age_s, 'f', 1)};
   }
   return table;
