@@ -82,11 +82,11 @@ class TestWindowText : public QObject {
     counts.missing = 2;
     counts.fetching = 4;
     QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 2 missing"));
-    QCOMPARE(trafficText(counts), QStringLiteral("4 in flight"));
+    QCOMPARE(trafficText(counts), QStringLiteral("4 to come"));
     counts.queued = 1200;
     counts.corrupt = 1;
     QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 2 missing, 1 corrupt"));
-    QCOMPARE(trafficText(counts), QStringLiteral("4 in flight, 1,200 queued"));
+    QCOMPARE(trafficText(counts), QStringLiteral("1,204 to come"));
     counts.hidden = 100;
     QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 100 hidden, 2 missing, 1 corrupt"));
   }

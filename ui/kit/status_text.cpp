@@ -117,12 +117,9 @@ QString loadingText(const session::SubmapCounts& counts) {
 }
 
 QString trafficText(const session::SubmapCounts& counts) {
-  QStringList parts;
-  if (counts.fetching > 0)
-    parts << QCoreApplication::translate("window", "%1 in flight").arg(countText(counts.fetching));
-  if (counts.queued > 0)
-    parts << QCoreApplication::translate("window", "%1 queued").arg(countText(counts.queued));
-  return parts.join(QStringLiteral(", "));
+  // How many of them are on their way at this moment is known to the adapter alone.
+  const int coming = counts.fetching + counts.queued;
+  return coming > 0 ? QCoreApplication::translate("window", "%1 to come").arg(countText(coming)) : QString();
 }
 
 QString plainWords(const std::string& words, int limit) {

@@ -32,7 +32,7 @@ QString connectionWord(robot::ConnectionPhase phase);
 
 /// "312 of 480 submaps, 2 missing".
 QString loadingText(const session::SubmapCounts& counts);
-/// "4 in flight, 18 queued"; empty if nothing is in progress.
+/// "22 to come": fetched or waiting to be; empty if nothing is.
 QString trafficText(const session::SubmapCounts& counts);
 
 /// The name of the map on screen, or of one that is loading while nothing is on screen.

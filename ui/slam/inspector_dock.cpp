@@ -213,8 +213,8 @@ void InspectorDock::refreshSummary() {
   if (counts.hidden > 0) submaps += tr(", %1 hidden").arg(countText(counts.hidden));
   submaps_->setText(submaps);
   cache_->setText(tr("%1 of pictures").arg(bytesText(counts.texture_bytes)));
-  fetches_->setText(tr("%1 in flight, %2 queued, %3 failed")
-                        .arg(countText(counts.fetching), countText(counts.queued), countText(counts.failed)));
+  fetches_->setText(
+      tr("%1 to come, %2 failed").arg(countText(counts.fetching + counts.queued), countText(counts.failed)));
   transferred_->setText(
       tr("%1 in %2, %3 from disk")
           .arg(bytesText(qint64(counts.bytes_fetched)),
