@@ -384,6 +384,40 @@ class TestWindowTyping : public QObject {
     QVERIFY(!desk.dock().groupForm()->isVisible());
     QVERIFY(desk.dock().form()->isVisible());
   }
+
+  void theMapHasTheFocusWhenWhatHadItIsGone_data() {
+    QTest::addColumn<QByteArray>("how");
+    for (const char* how : {"disabled", "hidden", "its panel is closed", "deleted", "disabled behind a dialog"})
+      QTest::newRow(how) << QByteArray(how);
+  }
+  void theMapHasTheFocusWhenWhatHadItIsGone() {
+    QFETCH(QByteArray, how);
+    test::Bench bench;
+    MainWindow& window = bench.open();
+    auto* const panel = new QDockWidget(&window);
+    auto* const body = new QWidget(panel);
+    auto* const column = new QVBoxLayout(body);
+    auto* const send = new QPushButton(QStringLiteral("Send"), body);
+    column->addWidget(send);
+    column->addWidget(new QLineEdit(body));
+    panel->setWidget(body);
+    window.addDockWidget(Qt::RightDockWidgetArea, panel);
+    send->setFocus();
+    QTRY_COMPARE(QApplication::focusWidget(), send);
+    if (how == "disabled") send->setEnabled(false);
+    if (how == "hidden") send->hide();
+    if (how == "its panel is closed") panel->close();
+    if (how == "deleted") delete send;
+    if (how == "disabled behind a dialog") {
+      QDialog dialog(&window);
+      dialog.show();
+      QVERIFY(QTest::qWaitForWindowActive(&dialog));
+      send->setEnabled(false);
+      dialog.close();
+      QVERIFY(QTest::qWaitForWindowActive(&window));
+    }
+    QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(window.view()));
+  }
 };
 
 }  // namespace test_window_typing

@@ -81,6 +81,8 @@ ObjectsController::ObjectsController(WindowContext& context, QObject* parent, st
   connect(&list_timer_, &QTimer::timeout, this, &ObjectsController::list);
   connect(&age_timer_, &QTimer::timeout, this, &ObjectsController::refresh);
   connect(&context_.view, &MapView::cursorMoved, this, &ObjectsController::cursorMoved);
+  // The card would lie over what is to be clicked with the tool.
+  connect(&context_.tools, &ToolChoice::chosenChanged, this, &ObjectsController::letGo);
   connect(&context_.scene, &scene::MapScene::viewChanged, this, &ObjectsController::placeCard);
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &ObjectsController::refreshSoon);
   connect(&context_.scene, &scene::MapScene::contentChanged, this, &ObjectsController::refreshSoon);

@@ -20,9 +20,11 @@ void ToolChoice::add(MapTool* tool, QAction* action) {
 }
 
 void ToolChoice::choose(MapTool* tool) {
+  const bool other = tool != chosen();
   view_->setTool(tool);
   overlay_->setHint(tool->hint());
   sync();
+  if (other) Q_EMIT chosenChanged();
 }
 
 void ToolChoice::choose(const QString& name) {

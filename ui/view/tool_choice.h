@@ -28,6 +28,10 @@ class ToolChoice : public QObject {
   MapTool* chosen() const;
   QList<QAction*> actions() const;
 
+ Q_SIGNALS:
+  /// Another tool is in the hand.
+  void chosenChanged();
+
  private:
   void sync();
   struct Entry {

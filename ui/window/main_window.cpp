@@ -41,6 +41,7 @@
 #include "ui/robot/robot_controller.h"
 #include "ui/robot/status_controller.h"
 #include "ui/shell/current_session.h"
+#include "ui/shell/focus_return.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
@@ -93,6 +94,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
 
   view_ = new MapView(scene_.get(), this);
   setCentralWidget(view_);
+  new FocusReturn(*this, *view_, this);
   bar_ = new WindowStatusBar(this);
   setStatusBar(bar_);
   addCameraActions(actions_, *view_);
