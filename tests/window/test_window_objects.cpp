@@ -89,6 +89,16 @@ class TestWindowObjects : public QObject {
     QVERIFY(!bench.card()->isVisible());
   }
 
+  void aToolInTheHandClosesTheCard() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L7", {4, 4}, false}}});
+    bench.click(4, 4);
+    QVERIFY(bench.card()->isVisible());
+    bench.action("measure")->trigger();
+    QVERIFY(!bench.card()->isVisible());  // it would swallow the clicks of the tool
+  }
+
   void aClickOnNothingLetsGo() {
     ObjectBench bench;
     bench.openOnRobot();

@@ -11,7 +11,9 @@
 #include "ui/layers/legend_dock.h"
 #include "ui/layers/preset_menu.h"
 #include "ui/shell/current_session.h"
+#include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
 
 namespace mapwright::window {
 
@@ -177,6 +179,20 @@ void LayersController::setSession(session::Session* session) {
   dock_->setSession(session);
   legend_->setSession(session);
   if (session) beginMode(*session);
+  sayColors(session);
+}
+
+/// Colours that were chosen for another robot must not be taken for what this one says.
+void LayersController::sayColors(session::Session* session) {
+  const QAction* const chosen = colors_->checkedAction();
+  const bool tinted = chosen && context_.scene.colorMode() != render::ColorMode::Normal;
+  ToastStack* const toasts = context_.overlay.toasts();
+  if (!said_colors_.isEmpty()) toasts->withdraw(said_colors_);
+  said_colors_.clear();
+  if (!session || !tinted || !session->robot().submapSource()) return;
+  said_colors_ = tr("Colours as before: %1").arg(plainActionText(*chosen));
+  toasts->add(Mark::Neutral, said_colors_,
+              {tr("Normal colours"), [this] { setColorMode(render::ColorMode::Normal); }});
 }
 
 void LayersController::recall(const QSettings& settings) {

@@ -45,6 +45,7 @@ class LayersController : public Controller {
   void takePreset();
   void zoomTo(scene::Layer layer);
   void beginMode(session::Session& session);
+  void sayColors(session::Session* session);
   void endMode();
 
   struct Switch {
@@ -57,6 +58,7 @@ class LayersController : public Controller {
   PresetMenu* presets_;
   std::vector<Switch> switches_;
   QActionGroup *modes_, *colors_;
+  QString said_colors_;  // the message about them, if one was shown
   /// The mode before a robot without submaps left no choice.
   std::optional<ViewMode> mode_before_;
 };
