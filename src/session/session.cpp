@@ -49,6 +49,7 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       catalogue_(robot_->mapCatalogue()),
       whole_map_(options.sidecar_folder, resources_),
       compared_map_(options.sidecar_folder, resources_),
+      map_for_checks_(options.sidecar_folder, resources_),
       overview_({}, resources_),
       layer_grids_(resources_) {
   if (robot::LiveTopics* const live = robot_->liveTopics()) live->setBasics(options.basics);
@@ -90,7 +91,7 @@ void Session::standStill() {
   ++generation_;
   submaps_.standStill();
   no_live_map_timer_.stop();
-  for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_}) slot->standStill();
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &map_for_checks_, &overview_}) slot->standStill();
   layer_grids_.standStill();
 }
 

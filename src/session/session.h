@@ -118,6 +118,10 @@ class Session : public QObject {
   const MapSlot& wholeMap() const { return whole_map_; }
   MapSlot& comparedMap() { return compared_map_; }
   const MapSlot& comparedMap() const { return compared_map_; }
+  /// A map that checks need and that is not on screen: readForChecks().
+  const MapSlot& mapForChecks() const { return map_for_checks_; }
+  /// Reads it unless it is there already; nullopt = none is needed any more. Not a live map.
+  void readForChecks(const std::optional<map::MapKey>& key);
   /// A coarse picture of the SLAM map, until all submaps are loaded.
   const MapSlot& overview() const { return overview_; }
   const LayerGrids& layerGrids() const { return layer_grids_; }
@@ -226,7 +230,7 @@ class Session : public QObject {
   std::map<const MapSlot*, map::MapKey> live_places_;  // whose waypoints were requested last
   std::optional<submap::Millis> listed_at_;  // when the catalogue last arrived; nullopt if it failed since
   Catalogue catalogue_;
-  MapSlot whole_map_, compared_map_, overview_;
+  MapSlot whole_map_, compared_map_, map_for_checks_, overview_;
   LayerGrids layer_grids_;
   QTimer problems_timer_, no_live_map_timer_;
 };

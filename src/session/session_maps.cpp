@@ -42,9 +42,12 @@ bool givenByRegion(robot::Robot& robot, const map::CatalogueEntry& entry) {
 void Session::wireMaps() {
   const auto note = [this](const map::Problem& problem) { report(problem); };
   const auto forget = [this](const map::Recovery& recovery) { recover(recovery); };
-  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
-    connect(slot, &MapSlot::problemFound, this, note);
-    connect(slot, &MapSlot::recovered, this, forget);
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &map_for_checks_}) {
+    // Whoever needs the one for checks says why it lacks.
+    if (slot != &map_for_checks_) {
+      connect(slot, &MapSlot::problemFound, this, note);
+      connect(slot, &MapSlot::recovered, this, forget);
+    }
     // Queued: it changes in the middle of what else it does.
     connect(
         slot, &MapSlot::changed, this,
@@ -53,7 +56,7 @@ void Session::wireMaps() {
         },
         Qt::QueuedConnection);
   }
-  for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_})
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &map_for_checks_, &overview_})
     connect(slot, &MapSlot::unreadable, this, &Session::discardPicture);
   const map::Subject overview(map::SubjectKind::Overview);
   connect(&overview_, &MapSlot::problemFound, this, [this, overview](map::Problem problem) {
@@ -169,6 +172,15 @@ void Session::compareWith(map::WholeMap map) {
   compared_map_.show(std::move(map));
 }
 
+void Session::readForChecks(const std::optional<map::MapKey>& key) {
+  const bool holds = map_for_checks_.phase() != MapSlot::Phase::Empty;
+  if (!key) {
+    if (holds) map_for_checks_.clear();
+  } else if (!still_ && !(holds && map_for_checks_.key() == *key)) {
+    openInto(map_for_checks_, *key);
+  }
+}
+
 void Session::keepForComparing() {
   if (!whole_map_.source()) return;
   map::WholeMap kept = *whole_map_.source();
@@ -221,7 +233,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
       slot.fail(map::problemOf(answer.error()));
     }
   });
-  askForPlaces(slot, key, stillWanted);
+  if (&slot != &map_for_checks_) askForPlaces(slot, key, stillWanted);
 }
 
 std::optional<map::MapKey> Session::placesOf(const MapSlot& slot) const {
@@ -243,7 +255,7 @@ void Session::readLivePlacesAgain() {
 }
 
 void Session::readPictureAgain(const map::MapKey& key) {
-  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &map_for_checks_}) {
     if (slot->key() == key) openAgain(*slot);
   }
 }

@@ -1,6 +1,7 @@
 // What is wrong with overlays in the window: live, rules switched off, the robot's radius, the way to a point
 // that cannot be reached; the states of overlays on the map.
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QToolButton>
@@ -8,6 +9,7 @@
 #include "overlays_desk.h"
 #include "test_program.h"
 #include "ui/overlays/overlay_flaws.h"
+#include "ui/view/on_screen.h"
 
 namespace test_window_overlay_flaws {
 
@@ -68,6 +70,43 @@ class TestWindowOverlayFlaws : public QObject {
     QTRY_VERIFY(flawsOf(desk).isEmpty());
     desk.action("undo")->trigger();
     QTRY_COMPARE(flawsOf(desk).size(), 1);
+  }
+
+  void wallsAreCheckedWhateverIsOnScreen() {
+    Desk desk;
+    QVERIFY(desk.hand(kCut));
+    desk.start();
+    setViewMode(*desk.window->mapScene(), ViewMode::Submaps);  // what the window opens with
+    QTest::keyClick(desk.window->view(), Qt::Key_E);
+    QTRY_COMPARE(desk.document().size(), std::size_t(4));
+    QVERIFY(!(desk.window->session()->wholeMap().shown().key == map::MapKey{map::MapKind::Stored, "1"}));
+    QTRY_COMPARE(flawsOf(desk),
+                 QStringList{QStringLiteral("Waypoint Desk: The robot cannot get here from its charger.")});
+  }
+
+  void whatIsNotCheckedIsSaidInThePanelAndBeforeSaving() {
+    Desk desk;
+    desk.start();
+    simulator::Faults faults;
+    faults.truncated_maps = true;
+    desk.sim.setFaults(faults);
+    QTest::keyClick(desk.window->view(), Qt::Key_E);
+    QTRY_COMPARE(desk.document().size(), std::size_t(3));
+    const auto said = [&] {
+      QStringList all;
+      for (const QLabel* label : desk.dock().flaws()->findChildren<QLabel*>())
+        if (!label->isHidden()) all << label->text();
+      return all.join(QLatin1Char(' '));
+    };
+    QTRY_VERIFY2(said().contains(QLatin1String("Walls and reachability are not checked")),
+                 qPrintable(said()));
+    desk.editing().select({1});
+    desk.editing().removeSelected();
+    desk.action("save")->trigger();
+    QTRY_VERIFY(desk.control().review());
+    QStringList notes;
+    for (const QLabel* label : desk.control().review()->findChildren<QLabel*>()) notes << label->text();
+    QVERIFY(notes.join(QLatin1Char(' ')).contains(QLatin1String("Walls and reachability are not checked")));
   }
 
   void rulesAreSwitchedOffAndTheRadiusIsSetForGood() {

@@ -61,7 +61,7 @@ OverlayFlaws::OverlayFlaws(QWidget* parent)
           this,
           {.least = 0, .most = placing::kMostRadiusM, .decimals = 2, .name = tr("Radius of the robot")})),
       more_(wrappedLabel({}, this)),
-      no_map_(wrappedLabel(tr("What lies on the map is checked while the whole map is on screen."), this)) {
+      not_checked_(wrappedLabel({}, this)) {
   list_->setAccessibleName(tr("What is wrong with the overlays"));
   list_->setWordWrap(true);
   list_->setToolTip(tr("Click one to see it on the map"));
@@ -72,10 +72,12 @@ OverlayFlaws::OverlayFlaws(QWidget* parent)
   radius_->setToolTip(tr("Radius of the robot: 0 is that of its own footprint"));
   setToldRadius(placing::kUsualRadiusM);
   fillMenu();
-  setLayout(columnOf(
-      {rowOf({rules_, LayoutItem::rest(), radius_}, 4, QMargins(6, 4, 6, 4)), {list_, 1}, more_, no_map_}, 0,
-      QMargins()));
-  for (QLabel* label : {more_, no_map_}) label->setContentsMargins(8, 2, 8, 2);
+  setLayout(columnOf({rowOf({rules_, LayoutItem::rest(), radius_}, 4, QMargins(6, 4, 6, 4)),
+                      {list_, 1},
+                      more_,
+                      not_checked_},
+                     0, QMargins()));
+  for (QLabel* label : {more_, not_checked_}) label->setContentsMargins(8, 2, 8, 2);
   more_->hide();
   const auto choose = [this](const QListWidgetItem* item) {
     Q_EMIT chosen(flaws_[std::size_t(list_->row(item))]);
@@ -125,7 +127,10 @@ void OverlayFlaws::setToldRadius(double told_m) {
   radius_->setSpecialValueText(tr("Robot: %1 m").arg(QString::number(told_m, 'f', 2)));
 }
 
-void OverlayFlaws::setMapThere(bool there) { no_map_->setVisible(!there); }
+void OverlayFlaws::setNotChecked(const QString& sentence) {
+  not_checked_->setText(sentence);
+  not_checked_->setVisible(!sentence.isEmpty());
+}
 
 void OverlayFlaws::recall(const QSettings& settings) {
   off_.clear();

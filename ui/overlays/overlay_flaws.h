@@ -39,8 +39,8 @@ class OverlayFlaws : public QWidget {
   /// Of the robot, if one was set; otherwise its own counts, which is `told_m`.
   std::optional<double> radius() const;
   void setToldRadius(double told_m);
-  /// What lies on the map was looked at, too.
-  void setMapThere(bool there);
+  /// Why what lies on the map is not checked; empty: it is.
+  void setNotChecked(const QString& sentence);
   void recall(const QSettings& settings);
   void remember(QSettings& settings) const;
 
@@ -61,7 +61,7 @@ class OverlayFlaws : public QWidget {
   QToolButton* rules_;
   QMenu* menu_;
   QDoubleSpinBox* radius_;
-  QLabel *more_, *no_map_;
+  QLabel *more_, *not_checked_;
 };
 
 }  // namespace mapwright::window

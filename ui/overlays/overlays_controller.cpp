@@ -11,6 +11,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "sentences/problem_sentence.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
@@ -134,6 +135,7 @@ void OverlaysController::setSession(session::Session* session) {
   if (session_) {
     session_->disconnect(this);
     session_->wholeMap().disconnect(this);
+    disconnect(&session_->mapForChecks(), nullptr, this, nullptr);
     session_->catalogue().disconnect(this);
     session_->robot().disconnect(this);
   }
@@ -142,6 +144,7 @@ void OverlaysController::setSession(session::Session* session) {
   editing_.setInFile(session_ && session_->robot().isLocal());
   if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &OverlaysController::syncMap);
+    connect(&session_->mapForChecks(), &session::MapSlot::changed, this, &OverlaysController::refresh);
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &OverlaysController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &OverlaysController::syncMap);
     connect(session_, &session::Session::connectionChanged, this, &OverlaysController::noteLink);
@@ -217,8 +220,6 @@ void OverlaysController::syncMap() {
     if (target_ && other) watchDrafts();
   }
   if (target_ && !editing_.isOpen() && !reading_ && !failure_ && wanted()) read();
-  const bool was_under = std::exchange(under_, mapUnder());
-  if (was_under != under_ && editing_.isOpen()) check();  // the map is here now
   refresh();
 }
 
@@ -392,10 +393,11 @@ QStringList OverlaysController::changesToSave() const {
 }
 
 void OverlaysController::showReview() {
-  review_ = new OverlayReview(
-      mapName(), session_->robot().isLocal() ? QString() : context_.current.called(), changesToSave(),
-      dock_->hasUnsavedFlaws() ? tr("Some of these have flaws: see the panel Overlays.") : QString(),
-      &context_.window);
+  QStringList notes;
+  if (dock_->hasUnsavedFlaws()) notes << tr("Some of these have flaws: see the panel Overlays.");
+  if (const QString why = notChecked(); !why.isEmpty()) notes << why;
+  review_ = new OverlayReview(mapName(), session_->robot().isLocal() ? QString() : context_.current.called(),
+                              changesToSave(), notes.join(QLatin1Char(' ')), &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
     review_ = nullptr;
     if (opened != opened_) return;
@@ -520,19 +522,44 @@ void OverlaysController::takeChange() {
   refresh();
 }
 
-bool OverlaysController::mapUnder() const {
-  if (!session_ || !target_) return false;
-  const session::MapSlot& slot = session_->wholeMap();
-  return slot.cells() && slot.cells()->complete() &&
-         (slot.shown().key == target_->map ||
-          (target_->robots && slot.shown().key.kind == map::MapKind::Live));
+const session::MapSlot* OverlaysController::mapToCheck() const {
+  if (!session_ || !target_) return nullptr;
+  const auto is = [&](const session::MapSlot& slot) {
+    return slot.cells() && slot.cells()->complete() &&
+           (slot.shown().key == target_->map ||
+            (target_->robots && slot.shown().key.kind == map::MapKind::Live));
+  };
+  if (is(session_->wholeMap())) return &session_->wholeMap();
+  return is(session_->mapForChecks()) ? &session_->mapForChecks() : nullptr;
+}
+
+void OverlaysController::readMapToCheck() {
+  if (!session_) return;
+  const bool on_screen = mapToCheck() == &session_->wholeMap();
+  const bool stored = target_ && target_->map.kind == map::MapKind::Stored;
+  session_->readForChecks(editing_.isOpen() && stored && !on_screen ? std::optional(target_->map)
+                                                                    : std::nullopt);
+  const session::MapSlot* const map = mapToCheck();
+  const auto cells = map ? map->cells() : nullptr;
+  const bool other = std::exchange(checked_cells_, cells) != cells;
+  if (!editing_.isOpen()) return;
+  if (other) check();  // the map is here now
+  dock_->flaws()->setNotChecked(notChecked());
+}
+
+QString OverlaysController::notChecked() const {
+  if (!session_ || mapToCheck()) return {};
+  const session::MapSlot& slot = session_->mapForChecks();
+  if (!slot.settled()) return tr("Walls and reachability are not checked yet: the map is being read.");
+  if (slot.remark())
+    return tr("Walls and reachability are not checked. %1").arg(sentences::sentenceOf(*slot.remark()));
+  return tr("Walls and reachability are not checked in this view. Show the whole map to check them.");
 }
 
 overlays::CheckOptions OverlaysController::checkOptions() const {
   overlays::CheckOptions options;
   options.off = dock_->flaws()->off();
-  const session::MapSlot& slot = session_->wholeMap();
-  if (mapUnder()) options.map = {slot.cells(), slot.reference(), false};
+  if (const session::MapSlot* const map = mapToCheck()) options.map = {map->cells(), map->reference(), false};
   const double reported = placing::radiusOf(session_->live().model);
   const double told = reported > 0 ? reported : placing::kUsualRadiusM;
   dock_->flaws()->setToldRadius(told);
@@ -568,7 +595,7 @@ void OverlaysController::check() {
   }
   checking_ = true;
   const overlays::CheckOptions options = checkOptions();
-  dock_->flaws()->setMapThere(bool(options.map.cells));
+  dock_->flaws()->setNotChecked(notChecked());
   const auto document = std::make_shared<OverlayDocument>(editing_.document().mine());
   share_.startLong([this, document, options, keys = editing_.document().keysOfMine(), opened = opened_] {
     auto found = std::make_shared<std::vector<ShownFlaw>>();
@@ -607,6 +634,7 @@ QString OverlaysController::whyNot() const {
 }
 
 void OverlaysController::refresh() {
+  readMapToCheck();
   const QString sentence = whyNot();
   dock_->setWhyNot(sentence, (failure_ || doubt_) && !busy_);
   QString trouble = trouble_;

@@ -110,8 +110,11 @@ class OverlaysController : public Controller {
   QStringList changesToSave() const;
   void takeChange();
   void check();
-  /// The whole map that the overlays lie on is on screen, and read.
-  bool mapUnder() const;
+  /// The whole map that the overlays lie on, read to its end; null: there is none yet.
+  const session::MapSlot* mapToCheck() const;
+  /// Why what lies on the map is not checked; empty: it is.
+  QString notChecked() const;
+  void readMapToCheck();
   overlays::CheckOptions checkOptions() const;
   void showWay(FeatureKey key);
   void refresh();
@@ -154,10 +157,11 @@ class OverlaysController : public Controller {
   QPointer<QMessageBox> question_;
   QPointer<OverlayReview> review_;
   std::function<void()> when_left_, when_saved_;
-  bool checking_ = false, check_again_ = false, under_ = false;
-  bool asked_ = false;  // to decide, and it is not answered yet
-  quint64 ways_ = 0;    // counts those that were asked for
-  work::Tasks share_;   // last
+  bool checking_ = false, check_again_ = false;
+  std::shared_ptr<const grids::GridPyramid> checked_cells_;  // of the map that was checked last
+  bool asked_ = false;                                       // to decide, and it is not answered yet
+  quint64 ways_ = 0;                                         // counts those that were asked for
+  work::Tasks share_;                                        // last
 };
 
 }  // namespace mapwright::window
