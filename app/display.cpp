@@ -78,6 +78,7 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
 
 std::unique_ptr<QTemporaryDir> chooseOffscreen() {
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  qunsetenv("QT_FONT_DPI");  // below 96 letters would get smaller
   return pinFonts();
 }
 

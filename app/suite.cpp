@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include "app/command_text.h"
@@ -50,6 +51,7 @@ struct PlannedSuite {
   QString name, expected, report;
   std::vector<suite::View> views;
   std::vector<SnapshotOptions> options;  // of each
+  QStringList strays;                    // expected pictures that no view makes, also none outside of --only
 
   QString expectedPicture(std::size_t view, int variant = 0) const {
     const QString number = variant == 0 ? QString() : QStringLiteral(".%1").arg(variant);
@@ -97,6 +99,29 @@ QString placeOf(const QString& folder, int links = 0) {
   return info.isRoot() ? info.filePath() : QDir(placeOf(info.path(), links)).filePath(info.fileName());
 }
 
+/// Pictures in `folder` that are expected of none of `views`: their views were renamed or taken out.
+QStringList straysIn(const QString& folder, const std::vector<suite::View>& views) {
+  static const QRegularExpression kVariant(QStringLiteral("\\.[1-9]\\d?$"));
+  QStringList strays;
+  if (folder.isEmpty()) return strays;
+  for (const QString& file : QDir(folder).entryList({QStringLiteral("*.png")}, QDir::Files)) {
+    const QString name = file.chopped(4);
+    QString plain = name;
+    plain.remove(kVariant);
+    const bool known = std::any_of(views.begin(), views.end(), [&](const suite::View& view) {
+      return view.name == name || view.name == plain;
+    });
+    if (!known) strays << QStringLiteral("%1/%2").arg(folder, file);
+  }
+  return strays;
+}
+
+void sayStrays(const QStringList& strays) {
+  for (const QString& picture : strays)
+    say(Text::tr("%1: no view of this suite makes this picture. Delete it, or restore its view.")
+            .arg(picture));
+}
+
 /// `draws`: pictures will be made.
 tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool draws) {
   auto read = suiteIn(args.suite);
@@ -106,6 +131,7 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
   plan.name = file.completeBaseName();
   plan.expected = text(args.expected);
   plan.report = text(args.report);
+  plan.strays = straysIn(plan.expected, read->views);
   const auto wanted = [&args](const suite::View& view) {
     return args.only.empty() ||
            std::find(args.only.begin(), args.only.end(), view.name.toStdString()) != args.only.end();
@@ -345,6 +371,7 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   if (const auto why = writeReports(plan, outcomes)) return refuse(kUsage, *why);
   const suite::Tally tally = suite::tallyOf(outcomes);
   printLine(suite::tallyText(tally));
+  sayStrays(plan.strays);
   return unreadable ? kUsage : tally.good() ? kDone : kIncomplete;
 }
 
@@ -364,6 +391,18 @@ std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, c
   if (!fault) fault = picture.place();
   if (!fault) fault = kept.place();
   return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
+}
+
+/// What was accepted besides is of the look before: it would let that pass from now on. A sentence about it.
+QString endVariants(const PlannedSuite& plan, std::size_t view) {
+  QStringList ended;
+  for (const QString& variant : plan.expectedPictures(view).mid(1)) {
+    if (!QFile::remove(variant)) continue;
+    QFile::remove(factsBeside(variant));
+    ended << QFileInfo(variant).fileName();
+  }
+  return ended.isEmpty() ? QString()
+                         : Text::tr("No longer accepted: %1. ").arg(ended.join(QLatin1String(", ")));
 }
 
 int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
@@ -398,9 +437,11 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);
     if (verdict.unreadable) outcome.sentence = verdict.sentence;
     if (const auto why = takePicture(plan, view, facts)) return fail(kUsage, *why);
-    return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, outcome.sentence)
+    const QString ended = endVariants(plan, view);
+    return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, ended + outcome.sentence)
                     : Text::tr("%1: new, %2").arg(name, picture);
   });
+  sayStrays(plan.strays);
   return code;
 }
 
@@ -417,6 +458,7 @@ int suiteList(const PlannedSuite& plan) {
     rows.push_back({expected, plan.options[view].robot, plan.views[view].name});
   }
   printTable(rows);
+  sayStrays(plan.strays);
   return kDone;
 }
 
@@ -424,7 +466,7 @@ enum class SuiteDeed { Run, Accept, List };
 
 int suiteCommand(SuiteDeed deed, SuiteArguments& args, const Invocation& before) {
   inherit(args, before);
-  if (deed == SuiteDeed::Accept && qEnvironmentVariableIsSet("CI")) {
+  if (deed == SuiteDeed::Accept && !qEnvironmentVariableIsEmpty("CI")) {
     return refuse(
         kUsage,
         Text::tr(

@@ -99,6 +99,7 @@ class SameBytesTest : public QObject {
                   {QStringLiteral("XDG_CURRENT_DESKTOP"), QStringLiteral("KDE")},
                   {QStringLiteral("QT_AUTO_SCREEN_SCALE_FACTOR"), QStringLiteral("1")}};
     QTest::newRow("desktop") << desktop;
+    QTest::newRow("small letters") << one("QT_FONT_DPI", "48");
     QTest::newRow("one thread") << one("MAPWRIGHT_THREADS", "1");
     QTest::newRow("eight threads") << one("MAPWRIGHT_THREADS", "8");
     QTest::newRow("portable code") << one("MAPWRIGHT_PORTABLE", "1");

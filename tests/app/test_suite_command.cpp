@@ -266,6 +266,42 @@ class SuiteCommandTest : public QObject {
     QVERIFY(ended.out.contains(QStringLiteral("1 view as expected.")));
   }
 
+  void aVariantEndsWhenItsPictureIsReplaced() {
+    QVERIFY(QFile::copy(program_->path("expected/cells.png"), program_->path("expected/wall W17.1.png")));
+    QVERIFY(QFile::copy(program_->path("expected/cells.json"), program_->path("expected/wall W17.1.json")));
+    QVERIFY(QFile::copy(program_->path("expected/cells.png"), program_->path("expected/cells.1.png")));
+    replaceIn("map/office.overlays.geojson", "[-6.0, -2.0]", "[-6.0, -1.5]");
+    const Ended ended = accept();
+    QCOMPARE(ended.code, 0);
+    QVERIFY2(ended.out.contains(QStringLiteral("No longer accepted: wall W17.1.png.")),
+             qPrintable(ended.out));
+    QVERIFY(!QFile::exists(program_->path("expected/wall W17.1.png")));
+    QVERIFY(!QFile::exists(program_->path("expected/wall W17.1.json")));
+    QVERIFY(QFile::exists(program_->path("expected/cells.1.png")));  // its picture stays
+  }
+
+  void anExpectedPictureWhoseViewIsGoneIsNamed() {
+    QVERIFY(QFile::copy(program_->path("expected/cells.png"), program_->path("expected/kitchen.png")));
+    QVERIFY(QFile::copy(program_->path("expected/cells.png"), program_->path("expected/kitchen.2.png")));
+    QVERIFY(QFile::copy(program_->path("expected/cells.png"), program_->path("expected/cells.1.png")));
+    for (const Ended& ended : {runSuite(), runSuite("--only cells"), accept(),
+                               run(words("suite list suite.yaml --expected expected"))}) {
+      QCOMPARE(ended.code, 0);
+      for (const char* name : {"kitchen.png", "kitchen.2.png"})
+        QVERIFY2(ended.err.contains(QLatin1String("expected/") + QLatin1String(name) +
+                                    QLatin1String(": no view of this suite makes this picture.")),
+                 qPrintable(ended.err));
+      QCOMPARE(ended.err.count(QLatin1Char('\n')), 2);
+    }
+  }
+
+  void anEmptyCIVariableIsNone() {
+    QCOMPARE(run(words("suite accept suite.yaml --expected expected --report accepted"),
+                 {{QStringLiteral("CI"), QString()}})
+                 .code,
+             0);
+  }
+
   void theFactsOfAVariantAreThoseBesideIt() {
     // The wall lay elsewhere when the variant was accepted, which the nearest picture is.
     replaceIn("map/office.overlays.geojson", "[-6.0, -2.0], [-3.0, -2.0]", "[-6.0, -1.6], [-3.0, -1.6]");
