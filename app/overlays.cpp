@@ -39,7 +39,7 @@ struct OverlaysArguments : RobotArguments {
   std::string map, file, base, output;
   std::string off, radius;      // validate
   std::string number, against;  // history: as `history list` counts
-  bool force = false, replace = false, dry_run = false;
+  bool force = false, replace = false, dry_run = false, yes = false;
 };
 
 tl::expected<std::string, QString> overlayBytes(const std::string& path) {
@@ -240,6 +240,12 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
                                     nullptr, sentences::formOf(count)),
                            count));
   }
+  if (outcome->held_back)
+    return of->robot->failure(
+        kUsage,
+        Text::tr("Nothing was sent: this deletes %1 of the %2 features on the robot. Pass --yes to do it.")
+            .arg(outcome->deletes)
+            .arg(outcome->deletes + outcome->keeps));
   if (const QString doubt = outcome->certain() ? QString() : doubtOf(*outcome); !doubt.isEmpty())
     return of->robot->failure(kIncomplete, doubt);
   if (quiet) return kDone;
@@ -286,6 +292,7 @@ CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args
     return wrong(
         Text::tr("%1 is larger than 32 MiB: no robot could give it back.").arg(inputCalled(args.file)));
   order.send = send;
+  order.may_empty = args.yes;
   return carryOut(command, args, std::move(order));
 }
 
@@ -500,6 +507,7 @@ void addOverlays(Commands& commands) {
   addFiles(set);
   set->add_flag("--replace", args.replace,
                 help(Text::tr("Replace everything that the robot holds, without a base")));
+  set->add_flag("--yes", args.yes, help(Text::tr("Also when more features are deleted than kept")));
   set->add_flag("--dry-run", args.dry_run, help(Text::tr("Print the changes, send nothing")));
   CLI::App* plan =
       add("plan", Text::tr("Show what set would change and what conflicts; sends nothing"), overlaysPlan);

@@ -409,8 +409,14 @@ CommandResult<int> waypointsApply(RobotCommand& command, const WaypointsArgument
     return wrong(Text::tr("%1 was made for the map %2 of %3. Pass --force to apply it to the map %4 of %5.")
                      .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
   plan->edits = fitted(*list, std::move(plan->edits));
-  return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),
-                  args);
+  const auto edits = exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points));
+  const auto deletes = std::size_t(std::count_if(
+      edits.begin(), edits.end(), [](const exchange::WaypointEdit& edit) { return !edit.after; }));
+  const std::size_t there = list->stored.points.size();
+  if (!args.yes && !args.dry_run && 2 * deletes > there)
+    return wrong(Text::tr("%1 deletes %2 of the %3 waypoints of the map %4. Pass --yes to apply it.")
+                     .arg(file, QString::number(deletes), QString::number(there), text(list->mapId())));
+  return carryOut(command, *list, edits, args);
 }
 
 struct WaypointCommand {
@@ -461,6 +467,8 @@ void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsArg
   }
   if (is("delete"))
     command.add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
+  if (is("apply"))
+    command.add_flag("--yes", args.yes, help(Text::tr("Also when more waypoints are deleted than kept")));
   if (is("import", "plan"))
     command
         .add_option(

@@ -75,6 +75,12 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
       outcome_.merge.document = order_.mine;
       outcome_.merge.mine = overlays::changesBetween(held, order_.mine);
     }
+    outcome_.deletes = std::size_t(std::count_if(
+        outcome_.merge.mine.begin(), outcome_.merge.mine.end(),
+        [](const OverlayChange& change) { return change.kind == overlays::ChangeKind::Remove; }));
+    outcome_.keeps = held.features().size() - std::min(outcome_.deletes, held.features().size());
+    outcome_.held_back = order_.send && !order_.may_empty && outcome_.deletes > outcome_.keeps;
+    if (outcome_.held_back) return end(std::move(outcome_));
     const std::string text = outcome_.merge.document.text();
     if (!order_.send || !outcome_.merge.conflicts.empty() || text == outcome_.before)
       return end(std::move(outcome_));

@@ -18,6 +18,7 @@ struct OverlayOrder {
   /// What `mine` was made from; nullopt: `mine` replaces everything.
   std::optional<overlays::OverlayDocument> base;
   bool send = true;           // false: only looks and merges
+  bool may_empty = true;      // false: nothing is sent that deletes more features than it keeps
   std::string only_uid = {};  // not empty: nothing is sent to a map with another uid
   /// Gets what the robot held, and what it holds after a change (`saved`); may be empty.
   std::function<void(const robot::OverlayText&, bool saved)> seen = {};
@@ -27,6 +28,9 @@ struct OverlayOutcome {
   overlays::OverlayMerge merge;  // with what the robot held
   /// Nothing was sent: there are conflicts, nothing to change, or it was not wanted.
   bool sent = false;
+  /// How many features of the robot go and stay; `held_back`: that is why nothing was sent.
+  std::size_t deletes = 0, keeps = 0;
+  bool held_back = false;
   std::optional<int> version_before, version;  // of the robot
   std::string before;                          // what the robot held, to the byte
 

@@ -122,7 +122,9 @@ class KabamWaypointsTest : public QObject {
 
     put("two.csv", "id,name,x,y,yaw_rad\n" + at(before[0], "id").toString().toUtf8() + ",One,1,1,0.7\n");
     QVERIFY(run("plan two.csv -o plan.json").code == 0);
-    QCOMPARE(run("apply plan.json").code, 0);
+    QCOMPARE(run("apply plan.json").code, 2);  // it deletes nearly all
+    QCOMPARE(namesOf(listed()).size(), before.size());
+    QCOMPARE(run("apply plan.json --yes").code, 0);
     const Outcome twice = run("apply plan.json");
     QVERIFY2(twice.code == 0, qPrintable(twice.err));
   }

@@ -84,7 +84,7 @@ class OverlaysCommandTest : public QObject {
   void whatStandsAroundTheDocumentStaysWhereAMemberOfItIsChanged() {
     const QByteArray base = "\n {\"type\":\"FeatureCollection\",\"crs\":1.50,\"features\":[ ]}\r\n";
     program_->put("mine.geojson", base);
-    QCOMPARE(run("set mine.geojson --replace").code, 0);
+    QCOMPARE(run("set mine.geojson --replace --yes").code, 0);
     program_->put("base.geojson", base);
     program_->put("mine.geojson", edited("1.50", "9.0"));
     QCOMPARE(run("set mine.geojson --base base.geojson").code, 0);
@@ -125,10 +125,25 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(run("set mine.geojson --base base.geojson --replace").code, 2);
     QCOMPARE(run("set mine.geojson --replace --dry-run").code, 0);
     QCOMPARE(changes(), 0);
-    const Ended set = run("set - --replace", none);
+    const Ended set = run("set - --replace --yes", none);
     QCOMPARE(set.code, 0);
     QVERIFY(set.out.contains(QStringLiteral("remove")) && set.out.contains(QStringLiteral("Delete charger")));
     QCOMPARE(held(), none);
+  }
+
+  void whatDeletesMoreThanItKeepsWantsAYes() {
+    const QByteArray none = R"({"type":"FeatureCollection","features":[]})";
+    for (const char* words : {"set - --replace", "set - --base base.geojson"}) {
+      const Ended refused = run(words, none);
+      QCOMPARE(refused.code, 2);
+      QVERIFY2(refused.err.contains(QStringLiteral("Nothing was sent: this deletes ")) &&
+                   refused.err.contains(QStringLiteral("Pass --yes")),
+               qPrintable(refused.err));
+    }
+    QCOMPARE(changes(), 0);
+    QCOMPARE(run("set - --base base.geojson --dry-run", none).code, 0);
+    QCOMPARE(run("set - --base base.geojson --yes", none).code, 0);
+    QVERIFY(!held().contains("\"Charger\""));
   }
 
   void anEmptyOrStrangeFileDeletesNothing() {

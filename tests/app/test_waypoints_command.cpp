@@ -339,6 +339,20 @@ class WaypointsCommandTest : public QObject {
     QCOMPARE(at(QStringLiteral("list --json")).array(), rows);
   }
 
+  void aPlanThatDeletesMoreThanItKeepsWantsAYes() {
+    put("wanted.csv", "id,name,x,y\n,New,9,9\n");
+    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
+    const Outcome refused = at(QStringLiteral("apply plan.json"));
+    QCOMPARE(refused.code, 2);
+    QVERIFY2(refused.err.contains(QStringLiteral("deletes 2 of the 2 waypoints")) &&
+                 refused.err.contains(QStringLiteral("--yes")),
+             qPrintable(refused.err));
+    QCOMPARE(kept(), QByteArray(kTwo));
+    QCOMPARE(at(QStringLiteral("apply plan.json --dry-run")).code, 0);
+    QCOMPARE(at(QStringLiteral("apply plan.json --yes")).code, 0);
+    QCOMPARE(at(QStringLiteral("list --json")).array().size(), 1);
+  }
+
   void whatOthersChangedIsAConflict() {
     put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\nw2,Pier,3,4\n");
     QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
