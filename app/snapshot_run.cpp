@@ -183,6 +183,13 @@ bool SnapshotRun::connected() {
     fail(isLocal() ? kUsage : kRobotError, QStringLiteral("%1: %2").arg(options_.robot, why));
     return false;
   }
+  // An option that the picture could not show.
+  if (automatic_ && options_.mode == SnapshotMode::Whole && !session_.robot().submapSource() &&
+      (options_.slice != 0 || options_.colors != render::ColorMode::Normal)) {
+    fail(kUsage,
+         Text::tr("%1 has no submaps: --slice and --colors only apply to those.").arg(options_.robot));
+    return false;
+  }
   if (!topicsChoosable()) return false;
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,

@@ -13,6 +13,7 @@
 #include "app/commands.h"
 #include "app/display.h"
 #include "app/output.h"
+#include "app/robot_factory.h"
 #include "app/suite_drawing.h"
 #include "app/view_facts.h"
 #include "compare/comparison_sentence.h"
@@ -165,6 +166,8 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
     const QString output = draws ? plan.made("actual", plan.views.size() - 1) : QStringLiteral("/dev/null");
     auto options = snapshotOptionsOf(view, file.absolutePath(), args.robot, output);
     if (!options) return wrong_view(options.error());
+    if (const auto address = knownAddresses().parse(options->robot); !address)
+      return wrong_view(suite::atPosition(view.at, QStringLiteral("%1: %2").arg(view.name, address.error())));
     plan.options.push_back(std::move(*options));
   }
   return plan;

@@ -295,6 +295,25 @@ class SuiteCommandTest : public QObject {
     }
   }
 
+  void anAddressThatIsNoneIsRefusedBeforeAnythingIsDrawn() {
+    program_->put("suite.yaml",
+                  "views:\n  - {name: a, robot: map/office.yaml}\n  - {name: b, robot: \"no://x\"}\n");
+    for (const Ended& ended : {runSuite(), run(words("suite list suite.yaml"))}) {
+      QCOMPARE(ended.code, 2);
+      QVERIFY2(ended.err.contains(QStringLiteral("line 3, ")) && ended.err.contains(QStringLiteral("b: ")),
+               qPrintable(ended.err));
+    }
+    QVERIFY(!QFile::exists(program_->path("report/actual/a.png")));
+  }
+
+  void optionsForSubmapsAreRefusedWhereThereAreNone() {
+    for (const char* option : {"--slice 2", "--colors active"}) {
+      const Ended ended = run(words("snapshot --robot map/office.yaml -o o.png") + words(option));
+      QVERIFY2(ended.code == 2 && ended.err.contains(QStringLiteral("no submaps")), qPrintable(ended.err));
+      QVERIFY(!QFile::exists(program_->path("o.png")));
+    }
+  }
+
   void anEmptyCIVariableIsNone() {
     QCOMPARE(run(words("suite accept suite.yaml --expected expected --report accepted"),
                  {{QStringLiteral("CI"), QString()}})
