@@ -863,6 +863,23 @@ class TestWindowWaypoints : public QObject {
     QVERIFY(desk.notice()->sentence().isEmpty());
     QVERIFY(!desk.control().unsaved());
   }
+
+  void unsavedWaypointsDoNotVanishWithTheMapThatTheRobotLeaves() {
+    Desk desk;
+    desk.start();
+    QVERIFY(!desk.editing().add({2, 2}).empty());
+    QVERIFY(desk.control().unsaved());
+    desk.robot->maps.entries[0].is_current = false;  // somebody else loads another map
+    desk.robot->maps.entries[1].is_current = true;
+    Q_EMIT desk.robot->mapsChanged();
+    const auto notice = [&] { return part<MapOverlay>(*desk.window)->notice(); };
+    QTRY_VERIFY2(notice()->sentence().contains(
+                     QStringLiteral("The unsaved waypoints of Ground floor are kept as a draft.")),
+                 qPrintable(notice()->sentence()));
+    notice()->offerButton()->click();
+    QTRY_VERIFY(desk.window->session()->wholeMap().shown().key == (map::MapKey{map::MapKind::Stored, "1"}));
+    QTRY_VERIFY(!notice()->sentence().contains(QStringLiteral("kept as a draft")));
+  }
 };
 
 }  // namespace test_window_waypoints

@@ -31,6 +31,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/maps/mapping_dock.h"
 #include "ui/shell/current_session.h"
+#include "ui/shell/unsaved_changes.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "words/qt_plain.h"
@@ -536,6 +537,19 @@ void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
 }
 
 void AdministrationController::ask(MapChange change, const map::CatalogueEntry* map) {
+  const session::Session* const session = context_.current.session();
+  const bool takes_map_away = session && session->wholeMap().key().kind == map::MapKind::Live &&
+                              (change == MapChange::Load || change == MapChange::StartMapping);
+  const auto then = [this, change, key = map ? std::optional(map->key) : std::nullopt] {
+    const session::Session* const now = context_.current.session();
+    const map::CatalogueEntry* const entry = now && key ? now->catalogue().find(*key) : nullptr;
+    if (now && bool(entry) == key.has_value()) showQuestion(change, entry);
+  };
+  // What is edited goes with the map that the robot is in.
+  takes_map_away ? context_.unsaved.whenMayLeave(then) : then();
+}
+
+void AdministrationController::showQuestion(MapChange change, const map::CatalogueEntry* map) {
   robot::MapAdministration* const robots = maps();
   session::Session* const session = context_.current.session();
   if (!robots || !session || (dialog_ && dialog_->waiting())) return;

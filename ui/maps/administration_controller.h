@@ -106,7 +106,9 @@ class AdministrationController : public Controller {
 
  private:
   robot::MapAdministration* maps() const;
+  /// First what becomes of unsaved changes, where they would go with the map.
   void ask(robot::MapChange change, const map::CatalogueEntry* map);
+  void showQuestion(robot::MapChange change, const map::CatalogueEntry* map);
   QString unconfirmed() const;
   QString withUnconfirmed(const QString& tip) const;
   void askForPlaces(const map::MapKey& key);

@@ -42,6 +42,7 @@ constexpr double kAroundM = 2;  // of an overlay that is shown
 OverlaysController::OverlaysController(WindowContext& context, const std::string& history, QObject* parent)
     : Controller(parent),
       context_(context),
+      left_map_(context),
       on_map_(new OverlaysOnMap(&editing_, &context.scene, this)),
       snapping_(new OverlaySnapping(&editing_, &context.scene, on_map_, this)),
       tool_(new OverlayTool(&editing_, &context.scene, on_map_, snapping_, this)),
@@ -140,6 +141,7 @@ void OverlaysController::setSession(session::Session* session) {
     session_->robot().disconnect(this);
   }
   closeMap();
+  left_map_.clear();
   session_ = session;
   editing_.setInFile(session_ && session_->robot().isLocal());
   if (session_) {
@@ -211,10 +213,11 @@ void OverlaysController::syncMap() {
   if (!lost && now != target_) {
     const bool other = !now || !target_ || now->map != target_->map || now->uid != target_->uid;
     if (other && unsaved() && drafts_ && !may_leave_)
-      context_.overlay.toasts()->add(
-          Mark::Warning, tr("The unsaved changes to the overlays of %1 are kept as a draft.").arg(mapName()));
+      left_map_.onLeft(target_->map,
+                       tr("The unsaved changes to the overlays of %1 are kept as a draft.").arg(mapName()));
     if (other) closeMap();
     target_ = now;
+    if (target_) left_map_.onOpened(target_->map);
     if (target_) on_map_->setMap(target_->map, target_->robots);
     actions_->teaching()->setThere(target_ && target_->robots);
     if (target_ && other) watchDrafts();

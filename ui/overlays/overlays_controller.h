@@ -18,6 +18,7 @@
 #include "ui/overlays/overlay_history.h"
 #include "ui/overlays/overlay_marks.h"
 #include "ui/overlays/overlays_on_map.h"
+#include "ui/shell/left_map.h"
 #include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
 #include "work/workers.h"
@@ -131,6 +132,7 @@ class OverlaysController : public Controller {
   void saveVersion(const QString& suggested, const std::string& text);
 
   WindowContext& context_;
+  LeftMap left_map_;
   QPointer<session::Session> session_;
   OverlayEditing editing_;
   OverlaysOnMap* on_map_;

@@ -41,6 +41,7 @@ const QString kSaving = QStringLiteral("picture");
 PictureController::PictureController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
+      left_map_(context),
       editing_(context.workers),
       tool_(new PictureTool(&editing_, &context.scene, this)),
       dock_(new PictureDock(&editing_, tool_, &context.window)),
@@ -136,6 +137,7 @@ void PictureController::setSession(session::Session* session) {
   if (session_) session_->robot().disconnect(this);
   if (session_) session_->catalogue().disconnect(this);
   closeMap();
+  left_map_.clear();
   session_ = session;
   wanted_map_.reset();
   if (cell_check_.stop) cell_check_.stop->store(true);
@@ -153,11 +155,17 @@ void PictureController::syncMap() {
   const MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
   if (slot && slot->cells() && session_->robot().pictureStore()) key = slot->shown().key;
-  if (key != open_map_) closeMap();
+  if (key != open_map_) {
+    if (open_map_ && editing_.unsaved() && drafts_ && !may_leave_)
+      left_map_.onLeft(*open_map_,
+                       tr("The unsaved changes to the map %1 are kept as a draft.").arg(nameOf(*open_map_)));
+    closeMap();
+  }
   const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->cells()->complete() &&
                      !slot->broken() && slot->key() == *key;
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
     if (!open_map_) {
+      left_map_.onOpened(key);
       openOnceChecked(*slot);
     } else if (slot->cells() != seen_ && !saving_) {
       takeOther(*slot);
@@ -645,6 +653,11 @@ bool PictureController::escape() {
     return false;
   }
   return true;
+}
+
+QString PictureController::nameOf(const map::MapKey& map) const {
+  const map::CatalogueEntry* const entry = session_ ? session_->catalogue().find(map) : nullptr;
+  return mapCalled(entry ? QString::fromStdString(entry->name) : QString(), map);
 }
 
 QString PictureController::mapName() const {

@@ -16,6 +16,7 @@
 #include "ui/kit/controller.h"
 #include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_editing.h"
+#include "ui/shell/left_map.h"
 #include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
 
@@ -91,8 +92,10 @@ class PictureController : public Controller {
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;
   QString mapName() const;
+  QString nameOf(const map::MapKey& map) const;
 
   WindowContext& context_;
+  LeftMap left_map_;
   QPointer<session::Session> session_;
   PictureEditing editing_;
   PictureTool* tool_;

@@ -15,7 +15,7 @@ namespace mapwright::window {
 class NoticeBar;
 
 /// Their order.
-enum class NoticeRank { Link, Map, Replay, Regions, Limits };
+enum class NoticeRank { Link, Draft, Map, Replay, Regions, Limits };
 
 struct Notice {
   Mark mark = Mark::Neutral;

@@ -39,6 +39,7 @@ const QString kSaving = QStringLiteral("waypoints");
 WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
+      left_map_(context),
       placing_(new WaypointPlacing(context, &editing_, this)),
       on_map_(new WaypointsOnMap(&editing_, &context.scene, &context.hits, this)),
       dock_(new WaypointsDock(&editing_, &context.window)),
@@ -145,6 +146,7 @@ void WaypointsController::setSession(session::Session* session) {
     session_->disconnect(this);
   }
   closeList();
+  left_map_.clear();
   session_ = session;
   if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointsController::syncMap);
@@ -190,7 +192,12 @@ void WaypointsController::syncMap() {
   if (store_went && (list_->unsaved() || list_->saving())) return refresh();
   const bool store_came = !list_ && key && session_->robot().waypointStore();
   if (key != open_map_ || store_went || store_came) {
+    const auto before = open_map_;
+    const bool robot_left = list_ && list_->unsaved() && !may_leave_ && before && key != before;
     closeList();
+    if (robot_left)
+      left_map_.onLeft(*before, tr("The unsaved waypoints of %1 are kept as a draft.").arg(nameOf(*before)));
+    left_map_.onOpened(key);
     open_map_ = key;
     on_map_->setMap(key);
     transfer_->setMap(key);
@@ -427,6 +434,11 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
                     QString::fromStdString(point->name),
                     [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });
+}
+
+QString WaypointsController::nameOf(const map::MapKey& map) const {
+  const map::CatalogueEntry* const entry = session_ ? session_->catalogue().find(map) : nullptr;
+  return mapCalled(entry ? QString::fromStdString(entry->name) : QString(), map);
 }
 
 QString WaypointsController::mapName() const {

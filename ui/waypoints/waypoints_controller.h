@@ -11,6 +11,7 @@
 #include <QPointer>
 
 #include "ui/kit/controller.h"
+#include "ui/shell/left_map.h"
 #include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
 #include "ui/waypoints/waypoint_editing.h"
@@ -74,8 +75,10 @@ class WaypointsController : public Controller {
   void noteLink();
   void answer(Leaving leaving, const std::function<void()>& then);
   QString mapName() const;
+  QString nameOf(const map::MapKey& map) const;
 
   WindowContext& context_;
+  LeftMap left_map_;
   QPointer<session::Session> session_;
   WaypointEditing editing_;
   std::unique_ptr<edit::WaypointDocument> shown_only_;  // of a robot whose waypoints can only be read
