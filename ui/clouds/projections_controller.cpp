@@ -38,7 +38,11 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
       context_(context),
       dock_(new ProjectionsDock(&draft_, &context.window)),
       tool_(new ProjectionTool(&context.scene, &draft_, this)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 56, .menu_rank = 44, .open = false});
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+                              .tab = 56,
+                              .menu_rank = 44,
+                              .open = false,
+                              .idle = lacksForGood(context_.current, {robot::Capability::Dispatch})});
   QAction* const action =
       context_.actions.add({.id = "projections",
                             .text = tr("Edit pro&jections"),

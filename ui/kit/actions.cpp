@@ -12,6 +12,7 @@
 #include <QToolBar>
 #include <QWidget>
 
+#include "robot/has_capability.h"
 #include "sentences/absence_sentence.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -44,13 +45,6 @@ QString withoutMnemonic(const QString& text) {
     plain += text[i];
   }
   return plain;
-}
-
-/// Of those that actions need.
-bool has(robot::Robot& robot, robot::Capability capability) {
-  return capability == robot::Capability::Live       ? robot.liveTopics() != nullptr
-         : capability == robot::Capability::Dispatch ? robot.mapDispatch() != nullptr
-                                                     : true;
 }
 
 void makeToggle(QAction& action) {
@@ -153,7 +147,7 @@ void Actions::noteCapabilities(robot::Robot* robot) {
     // Robots tell what they can do once they are connected.
     const bool told =
         robot && (robot->isLocal() || robot->connection().phase == robot::ConnectionPhase::Online);
-    const bool lacks = told && !has(*robot, capability);
+    const bool lacks = told && !robot::has(*robot, capability);
     allow(action, robot && !lacks,
           lacks ? sentences::whyAbsent(capability, robot->whyNot(capability)) : QString());
   }

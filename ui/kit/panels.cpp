@@ -292,6 +292,22 @@ void Panels::suggest(QDockWidget* dock) {
   if (!restored_ && !(stack && stack->keeps_front)) dock->raise();
 }
 
+void Panels::standBack() {
+  const auto idle = [](const Panel& panel) { return panel.place.idle && panel.place.idle(); };
+  for (const Panel& panel : panels_) {
+    const bool in_front = panel.dock->isVisible() && !panel.dock->visibleRegion().isEmpty();
+    if (!in_front || !idle(panel)) continue;
+    const QList<QDockWidget*> tabs = window_.tabifiedDockWidgets(panel.dock);
+    std::vector<Panel> others;
+    for (const auto& stack : stacksOn(panel.place.side))
+      others.insert(others.end(), stack.begin(), stack.end());
+    const auto next = std::find_if(others.begin(), others.end(), [&](const Panel& other) {
+      return tabs.contains(other.dock) && !other.dock->isHidden() && !idle(other);
+    });
+    if (next != others.end()) next->dock->raise();
+  }
+}
+
 namespace {
 
 class DockTitle : public QWidget {

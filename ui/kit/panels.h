@@ -1,6 +1,7 @@
 // The docks of the window: their original places, which are open, and which tab is in front.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <QByteArray>
@@ -22,6 +23,7 @@ struct PanelPlace {
   int tab = 0;        // its rank among those tabs
   int menu_rank = 0;  // in the View menu
   bool open = false;
+  std::function<bool()> idle = {};  // it has nothing to do with what is open now
 };
 
 /// An arrangement of the docks for one kind of work: which are open at first, and where.
@@ -64,6 +66,8 @@ class Panels : public QObject {
   void open(QDockWidget* dock);
   /// Brings a dock to the front, unless the user or the layout has chosen the one that is there.
   void suggest(QDockWidget* dock);
+  /// Something else was opened: docks that have nothing to do with it leave the front to another tab.
+  void standBack();
 
  Q_SIGNALS:
   /// All docks are in their original places: suggest a more useful one than the last tab now.

@@ -377,7 +377,11 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
   for (const Row& row : mapping_) actions << row.action;
   mapping_dock_ = new MappingDock(actions, &context.window);
   context_.panels.add(mapping_dock_,
-                      {.side = PanelPlace::Side::Right, .tab = 71, .menu_rank = 38, .open = false});
+                      {.side = PanelPlace::Side::Right,
+                       .tab = 71,
+                       .menu_rank = 38,
+                       .open = false,
+                       .idle = lacksForGood(context_.current, {robot::Capability::Administration})});
   look_->setInterval(kLookEveryMs);
   connect(look_, &QTimer::timeout, this, &AdministrationController::lookAtMapping);
   connect(&context_.current, &CurrentSession::stateChanged, this, &AdministrationController::refresh);

@@ -33,7 +33,11 @@ PoseController::PoseController(WindowContext& context, QObject* parent)
       context_(context),
       dock_(new PoseDock(&context.window)),
       tool_(new PoseTool(&context.scene, this)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 72, .menu_rank = 37, .open = false});
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+                              .tab = 72,
+                              .menu_rank = 37,
+                              .open = false,
+                              .idle = lacksForGood(context_.current, {robot::Capability::Localization})});
   open_ = context_.actions.add({.id = "robotPose",
                                 .text = tr("Set the robot's &pose…"),
                                 .icon = "locate",

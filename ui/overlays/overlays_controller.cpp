@@ -54,7 +54,11 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
       states_(&context.scene),
       history_dock_(new OverlayHistoryDock(&history_, &context.scene, &marks_, &context.window)),
       share_(context.workers) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 46, .open = false});
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+                              .tab = 15,
+                              .menu_rank = 46,
+                              .open = false,
+                              .idle = lacksForGood(context_.current, {robot::Capability::OverlayEditing})});
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
   addHistory();

@@ -46,7 +46,11 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
       tool_(new PictureTool(&editing_, &context.scene, this)),
       dock_(new PictureDock(&editing_, tool_, &context.window)),
       share_(context.workers) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 46, .open = false});
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+                              .tab = 16,
+                              .menu_rank = 46,
+                              .open = false,
+                              .idle = lacksForGood(context_.current, {robot::Capability::PictureEditing})});
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
   connect(&editing_, &PictureEditing::cellsChanged, this, [this](const geometry::WorldRect& where) {

@@ -1,10 +1,13 @@
 #include "ui/shell/current_session.h"
 
+#include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include <QPointer>
 
 #include "replay/replay_robot.h"
+#include "robot/has_capability.h"
 #include "scene/map_scene.h"
 #include "ui/view/on_screen.h"
 
@@ -94,6 +97,15 @@ void CurrentSession::leave() {
   scene_.setSession(nullptr);
   leaving->close();
   Q_EMIT stateChanged();
+}
+
+std::function<bool()> lacksForGood(CurrentSession& current, std::vector<robot::Capability> capabilities) {
+  return [&current, capabilities = std::move(capabilities)] {
+    session::Session* const open = current.session();
+    return open && std::all_of(capabilities.begin(), capabilities.end(), [&](robot::Capability capability) {
+             return robot::lacksForGood(open->robot(), capability);
+           });
+  };
 }
 
 }  // namespace mapwright::window

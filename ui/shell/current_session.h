@@ -1,7 +1,9 @@
 // The robot that the window is connected to, if any.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include <QObject>
 #include <QString>
@@ -52,5 +54,8 @@ class CurrentSession : public QObject {
   std::unique_ptr<session::Session> session_;
   QString called_;
 };
+
+/// For PanelPlace::idle: what is open has none of these, and nothing may still bring them.
+std::function<bool()> lacksForGood(CurrentSession& current, std::vector<robot::Capability> capabilities);
 
 }  // namespace mapwright::window

@@ -12,6 +12,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
+#include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
@@ -47,7 +48,11 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
       name_editor_(new NameEditor(context.view.viewport())),
       transfer_(nullptr),
       review_(new WaypointReview(&context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 45});
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+                              .tab = 15,
+                              .menu_rank = 45,
+                              .idle = lacksForGood(context_.current, {robot::Capability::Waypoints,
+                                                                      robot::Capability::WaypointEditing})});
   connect(&context_.panels, &Panels::arranged, this, [this] {
     if (comesFirst()) context_.panels.suggest(dock_);
   });

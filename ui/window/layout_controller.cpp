@@ -53,6 +53,7 @@ LayoutController::LayoutController(WindowContext& context, QObject* parent)
   for (const auto& [role, action] : actions_) group->addAction(action);
   // Only then it is known which panels are in front.
   connect(&context_.panels, &Panels::arranged, this, &LayoutController::keepFocus);
+  connect(&context_.panels, &Panels::arranged, &context_.panels, &Panels::standBack);
 }
 
 Layout LayoutController::fresh() const {
@@ -78,7 +79,13 @@ void LayoutController::show(Role role) {
   const bool restored = context_.panels.restore(states_[role], fresh());
   if (!restored) context_.panels.arrange(fresh());
   if (restored) keepFocus();
+  if (restored) standBackSoon();
   Q_EMIT shown(role);
+}
+
+void LayoutController::standBackSoon() {
+  // Only then it is known which panels are in front.
+  QMetaObject::invokeMethod(&context_.panels, &Panels::standBack, Qt::QueuedConnection);
 }
 
 void LayoutController::keepFocus() {
@@ -92,6 +99,11 @@ void LayoutController::keepFocus() {
 void LayoutController::setSession(session::Session* session) {
   if (!replayOf(session)) context_.overlay.toasts()->withdraw(offer());
   if (!session) return;
+  standBackSoon();
+  connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, [this] {
+    // No panel is taken away from whoever is working there.
+    if (context_.window.focusWidget() == &context_.view) standBackSoon();
+  });
   if (!chosen_ && !opened_) {
     const auto note = [this, session] {
       opened_ = opened_ || session->connection().phase == robot::ConnectionPhase::Online;

@@ -40,6 +40,7 @@ class LayoutController : public Controller {
   void show(Role role);
   /// Where it was before another layout was shown, if that is still to be seen; otherwise on the map.
   void keepFocus();
+  void standBackSoon();
   void store(QSettings& settings);
   /// As long as the user has not chosen: by what was opened.
   void pick(session::Session& session);

@@ -18,6 +18,7 @@ constexpr double kColumn = 0.285;
 const QString kMaps = QStringLiteral("maps");
 const QString kLayers = QStringLiteral("layers");
 const QString kWaypoints = QStringLiteral("waypoints");
+const QString kOverlays = QStringLiteral("overlays");
 const QString kRobot = QStringLiteral("robot");
 const QString kInspector = QStringLiteral("inspector");
 const QString kProblems = QStringLiteral("problems");
@@ -77,9 +78,10 @@ Layout layoutFor(Role role, const QSize& window_px) {
   switch (role) {
     case Role::Operate:
       if (high) {
-        layout.stacks = {{Side::Right, {kWaypoints, kMaps}, 3, true}, {Side::Right, {kRobot}, 2, true}};
+        layout.stacks = {{Side::Right, {kWaypoints, kOverlays, kMaps}, 3, true},
+                         {Side::Right, {kRobot}, 2, true}};
       } else {
-        layout.stacks = {{Side::Right, {kWaypoints, kRobot, kMaps}, 1, true}};
+        layout.stacks = {{Side::Right, {kWaypoints, kOverlays, kRobot, kMaps}, 1, true}};
       }
       break;
     case Role::Inspect:
