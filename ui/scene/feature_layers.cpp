@@ -491,7 +491,7 @@ LayerSpec layerSpec<Layer::Doors>() {
 template <>
 LayerSpec layerSpec<Layer::Boxes>() {
   return {.name = "boxes",
-          .title = QT_TRANSLATE_NOOP("scene", "Pallets, racks"),
+          .title = QT_TRANSLATE_NOOP("scene", "Pallets, racks, markers"),
           .group = LayerGroup::Environment,
           .streams = {map::Stream::Pallets, map::Stream::Racks, map::Stream::SeenObjects},
           .topics = {map::topicIndex<map::PalletsMessage>(), map::topicIndex<map::RackMessage>(),
