@@ -53,6 +53,7 @@ class AddressTest : public QObject {
     row("/maps/a.pgm", "file:/maps/a.pgm");
     row("/maps/a.png?resolution=0.05&origin=-10,-7.5,0.1",
         "file:/maps/a.png?resolution=0.05&origin=-10,-7.5,0.1");
+    row("/bags/a.mcap?ns=/fleet/robot1", "file:/bags/a.mcap?ns=/fleet/robot1");
     row("demo:", "demo:");
     row("demo:?scene=warehouse", "demo:?scene=warehouse");
   }
@@ -65,6 +66,8 @@ class AddressTest : public QObject {
   }
 
   void aFileAddressHoldsItsPlace() {
+    QCOMPARE(files::namespaceOf(*parse(QStringLiteral("file:/a.mcap?ns=/robot1/"))), std::string("/robot1"));
+    QCOMPARE(files::namespaceOf(*parse(QStringLiteral("file:/a.mcap"))), std::string());
     const auto address = parse(QStringLiteral("file:/maps/a.png?resolution=0.02&origin=-1,2.5,0.5"));
     QVERIFY(address.has_value());
     QCOMPARE(address->scheme, QStringLiteral("file:"));
@@ -139,6 +142,9 @@ class AddressTest : public QObject {
                               "file:",
                               "file:/a.png?resolution=0",
                               "file:/a.png?resolution=nan",
+                              "file:/a.mcap?ns=robot1",
+                              "file:/a.mcap?ns=/",
+                              "file:/a.mcap?ns=/a b",
                               "file:/a.png?origin=1",
                               "file:/a.png?origin=1,x",
                               "file:/a.png?scale=2",
