@@ -187,6 +187,18 @@ QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::Ba
                                    {QStringLiteral("uid"), text(live.map_info->uid)},
                                    {QStringLiteral("map_version"), orNull(live.map_info->map_version)}})
           : null;
+  state[QStringLiteral("jack")] =
+      live.jack ? QJsonValue(QJsonObject{{QStringLiteral("state"), text(live.jack->state)},
+                                         {QStringLiteral("progress"), orNull(live.jack->progress)},
+                                         {QStringLiteral("weight"), orNull(live.jack->weight)}})
+                : null;
+  state[QStringLiteral("towing")] =
+      live.towing ? QJsonValue(QJsonObject{{QStringLiteral("state"), text(live.towing->state)},
+                                           {QStringLiteral("progress"), orNull(live.towing->progress)},
+                                           {QStringLiteral("cargo"), orNull(live.towing->cargo_detected)},
+                                           {QStringLiteral("error_code"), qint64(live.towing->error_code)},
+                                           {QStringLiteral("error"), text(live.towing->error)}})
+                  : null;
   state[QStringLiteral("path_points")] = qint64(live.path.size());
   state[QStringLiteral("local_path_points")] = qint64(live.local_path.points.size());
   const auto& submaps = moment.at.world.submaps;
@@ -221,6 +233,8 @@ std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, co
         {Text::tr("alert"), QStringLiteral("%1 %2").arg(alert.code).arg(words::plainName(alert.text))});
   if (knowsSlam(live.slam)) rows.push_back({Text::tr("SLAM"), words::plainName(live.slam.state)});
   if (live.planning) rows.push_back({Text::tr("planner"), words::plainName(live.planning->move_state)});
+  if (live.jack) rows.push_back({Text::tr("jack"), words::plainName(live.jack->state)});
+  if (live.towing) rows.push_back({Text::tr("towing"), words::plainName(live.towing->state)});
   if (live.map_info) rows.push_back({Text::tr("map"), words::plainName(live.map_info->name)});
   if (const auto& submaps = moment.at.world.submaps)
     rows.push_back({Text::tr("submaps"), QString::number(submaps->entries.size())});

@@ -160,6 +160,21 @@ void writeState(page::Page& page, const Run& run) {
   fact(ReportText::tr("Battery"), std::move(battery));
   if (live.sensors && !live.sensors->power_state.empty())
     fact(ReportText::tr("Sensors"), {named(live.sensors->power_state)});
+  if (live.jack && !live.jack->state.empty()) {
+    std::vector<Cell> jack{named(live.jack->state)};
+    if (live.jack->progress)
+      jack.emplace_back(ReportText::tr("%1 % up").arg(*live.jack->progress * 100, 0, 'f', 0));
+    fact(ReportText::tr("Jack"), std::move(jack));
+  }
+  if (live.towing && !live.towing->state.empty()) {
+    const map::TowingState& towing = *live.towing;
+    std::vector<Cell> cells{{named(towing.state), towing.state == "error" ? Tone::Bad : Tone::Plain}};
+    if (towing.cargo_detected)
+      cells.emplace_back(*towing.cargo_detected ? ReportText::tr("cargo detected")
+                                                : ReportText::tr("no cargo"));
+    if (!towing.error.empty()) cells.emplace_back(named(towing.error), Tone::Bad);
+    fact(ReportText::tr("Towing"), std::move(cells));
+  }
   page.facts(facts);
 }
 

@@ -55,6 +55,8 @@ auto kept(auto& state, const PlanningState& said) { return std::tie(state.planni
 auto kept(auto& state, const BatteryState& said) { return std::tie(state.battery, said); }
 auto kept(auto& state, const WheelState& said) { return std::tie(state.wheels, said); }
 auto kept(auto& state, const SensorState& said) { return std::tie(state.sensors, said); }
+auto kept(auto& state, const JackState& said) { return std::tie(state.jack, said); }
+auto kept(auto& state, const TowingState& said) { return std::tie(state.towing, said); }
 auto kept(auto& state, const NearbyRobotsMessage& said) { return std::tie(state.nearby_robots, said.robots); }
 auto kept(auto& state, const LandmarksMessage& said) { return std::tie(state.landmarks, said.landmarks); }
 auto kept(auto& state, const AutoDoorsMessage& said) { return std::tie(state.doors, said.doors); }
@@ -88,6 +90,7 @@ struct Reducer {
   void operator()(const NearbyFootprintsMessage& nearby) {
     for (const auto& [digest, outline] : nearby.by_digest) state.nearby_footprints[digest] = outline;
   }
+  void operator()(const DetectedFeaturesMessage& seen) { state.features[seen.kind] = seen.boxes; }
   void operator()(const SeenObjectsMessage& seen) {
     state.seen_objects = seen.objects;
     state.drawings = seen.drawings;
@@ -139,6 +142,10 @@ struct Comparer {
       return held && *held == entry.second;
     });
   }
+  bool operator()(const DetectedFeaturesMessage& seen) const {
+    const auto* const held = at(state.features, seen.kind);
+    return held && *held == seen.boxes;
+  }
   bool operator()(const SeenObjectsMessage& seen) const {
     return state.seen_objects == seen.objects && state.drawings == seen.drawings;
   }
@@ -161,15 +168,25 @@ bool PointCloudMessage::operator==(const PointCloudMessage& other) const {
 bool LiveState::operator==(const LiveState& other) const {
   const auto rest = [](const LiveState& s) {
     return std::tie(s.session_uuid, s.robot_pose, s.trail, s.model, s.slam, s.grids, s.path, s.trajectory,
-                    s.local_path, s.planning, s.map_info, s.alerts, s.battery, s.wheels, s.sensors,
-                    s.nearby_robots, s.nearby_footprints, s.landmarks, s.doors, s.pallets, s.racks,
-                    s.seen_objects, s.drawings, s.constraints, s.global_positioning, s.barcode, s.safety);
+                    s.local_path, s.planning, s.map_info, s.alerts, s.battery, s.wheels, s.sensors, s.jack,
+                    s.towing, s.nearby_robots, s.nearby_footprints, s.landmarks, s.doors, s.pallets, s.racks,
+                    s.features, s.seen_objects, s.drawings, s.constraints, s.global_positioning, s.barcode,
+                    s.safety);
   };
   return rest(*this) == rest(other) && std::equal(clouds.begin(), clouds.end(), other.clouds.begin(),
                                                   other.clouds.end(), [](const auto& a, const auto& b) {
                                                     return a.first == b.first &&
                                                            sameContent(a.second, b.second);
                                                   });
+}
+
+std::vector<BoxGroup> boxGroups(const LiveState& state) {
+  std::vector<BoxGroup> groups{{BoxKind::Pallet, topicIndex<PalletsMessage>(), &state.pallets},
+                               {BoxKind::Rack, topicIndex<RackMessage>(), &state.racks}};
+  for (const auto& [kind, boxes] : state.features)
+    groups.push_back({kind, topicIndex<DetectedFeaturesMessage>(), &boxes});
+  groups.push_back({BoxKind::Object, topicIndex<SeenObjectsMessage>(), &state.seen_objects});
+  return groups;
 }
 
 LiveState inNewFrame(LiveState state, bool map_stays) {
@@ -192,6 +209,7 @@ LiveState inNewFrame(LiveState state, bool map_stays) {
   state.doors.clear();
   state.pallets.clear();
   state.racks.clear();
+  state.features.clear();
   state.seen_objects.clear();
   state.drawings.clear();
   state.constraints = {};

@@ -49,11 +49,14 @@ struct LiveState {
   std::optional<BatteryState> battery;
   std::optional<WheelState> wheels;
   std::optional<SensorState> sensors;
+  std::optional<JackState> jack;
+  std::optional<TowingState> towing;
   std::vector<NearbyRobot> nearby_robots;
   std::map<std::string, Polyline> nearby_footprints;
   std::vector<Landmark> landmarks;
   std::vector<AutoDoor> doors;
   std::vector<GroundBox> pallets, racks, seen_objects;
+  std::map<BoxKind, std::vector<GroundBox>> features;
   std::vector<GroundDrawing> drawings;
   ConstraintsMessage constraints;
   std::optional<GlobalPositioning> global_positioning;
@@ -68,6 +71,14 @@ struct LiveState {
   /// frames.
   bool operator==(const LiveState& other) const;
 };
+
+/// All boxes on the ground in the order in which they are drawn; `topic` is that of map::topicIndex.
+struct BoxGroup {
+  BoxKind kind = BoxKind::Object;
+  int topic = 0;
+  const std::vector<GroundBox>* boxes = nullptr;  // in the state
+};
+std::vector<BoxGroup> boxGroups(const LiveState& state);
 
 /// Without everything in the old frame; `map_stays`: the new frame belongs to the same map.
 LiveState inNewFrame(LiveState state, bool map_stays);

@@ -158,6 +158,25 @@ struct SensorState {
   bool operator==(const SensorState&) const = default;
 };
 
+/// /jack_state.
+struct JackState {
+  std::string state;               // hold, jacking_up, jacking_down, unknown
+  std::optional<double> progress;  // 0 down .. 1 up
+  std::optional<bool> self_checking;
+  std::optional<double> weight;  // on it, in the robot's own unit
+  bool operator==(const JackState&) const = default;
+};
+
+/// /towing_state: the lock that holds a cart.
+struct TowingState {
+  std::string state;               // locked, released, locking, releasing, self_checking, error, unknown
+  std::optional<double> progress;  // of the action, 0..1
+  std::optional<bool> cargo_detected;
+  std::int64_t error_code = 0;  // 0 = none
+  std::string error = {};
+  bool operator==(const TowingState&) const = default;
+};
+
 struct NearbyRobot {
   std::string uid;
   geometry::Pose2 pose;
@@ -223,6 +242,14 @@ struct GroundDrawing {
   std::string text = {};
   bool operator==(const GroundDrawing&) const = default;
 };
+enum class BoxKind { Pallet, Rack, Charger, Object };
+/// /detected_features/racks_v2, /pallets, /chargers: all of one kind. Those without a size have length and
+/// width 0.
+struct DetectedFeaturesMessage {
+  BoxKind kind = BoxKind::Rack;
+  std::vector<GroundBox> boxes;
+  bool operator==(const DetectedFeaturesMessage&) const = default;
+};
 struct PalletsMessage {
   std::vector<GroundBox> pallets;
   bool operator==(const PalletsMessage&) const = default;
@@ -270,9 +297,10 @@ struct UnreadableMessage {
 using TopicMessage =
     std::variant<SubmapList, TrackedPose, RobotModel, SlamStatus, GridMessage, PointCloudMessage, PathMessage,
                  LocalPathMessage, TrajectoryMessage, PlanningState, MapInfo, AlertsMessage, BatteryState,
-                 WheelState, SensorState, NearbyRobotsMessage, NearbyFootprintsMessage, LandmarksMessage,
-                 AutoDoorsMessage, PalletsMessage, RackMessage, SeenObjectsMessage, ConstraintsMessage,
-                 GlobalPositioning, BarcodeMessage, UnreadableMessage>;
+                 WheelState, SensorState, JackState, TowingState, NearbyRobotsMessage,
+                 NearbyFootprintsMessage, LandmarksMessage, AutoDoorsMessage, DetectedFeaturesMessage,
+                 PalletsMessage, RackMessage, SeenObjectsMessage, ConstraintsMessage, GlobalPositioning,
+                 BarcodeMessage, UnreadableMessage>;
 
 /// The index of a message type in TopicMessage.
 template <typename T, std::size_t I = 0>

@@ -37,6 +37,7 @@ struct Weight {
   std::size_t operator()(const map::NearbyRobotsMessage& nearby) const { return 2 * of(nearby.robots); }
   std::size_t operator()(const map::LandmarksMessage& marks) const { return 2 * of(marks.landmarks); }
   std::size_t operator()(const map::AutoDoorsMessage& doors) const { return 400 * doors.doors.size(); }
+  std::size_t operator()(const map::DetectedFeaturesMessage& seen) const { return of(seen.boxes); }
   std::size_t operator()(const map::PalletsMessage& pallets) const { return of(pallets.pallets); }
   std::size_t operator()(const map::RackMessage& racks) const { return of(racks.racks); }
   std::size_t operator()(const map::SeenObjectsMessage& seen) const { return of(seen.objects); }
@@ -85,6 +86,8 @@ Slot slotOf(const TopicMessage& message) {
   std::string which;
   if (const auto* grid = std::get_if<map::GridMessage>(&message)) which = std::to_string(int(grid->kind));
   if (const auto* cloud = std::get_if<map::PointCloudMessage>(&message)) which = cloud->topic;
+  if (const auto* seen = std::get_if<map::DetectedFeaturesMessage>(&message))
+    which = std::to_string(int(seen->kind));
   return {message.index(), std::move(which)};
 }
 

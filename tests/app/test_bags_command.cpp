@@ -682,6 +682,17 @@ class BagsCommandTest : public QObject {
     QCOMPARE(report[QStringLiteral("map")][QStringLiteral("id")].toString(), QStringLiteral("live"));
   }
 
+  void whatABagLatchesIsInItsState() {
+    const double end =
+        run(QStringLiteral("info latched.bag --json")).object()[QStringLiteral("end")].toDouble();
+    const auto state =
+        run(QStringLiteral("state latched.bag --json --at %1").arg(QString::number(end, 'f', 3)));
+    QVERIFY2(state.code == 0, state.err.constData());
+    QCOMPARE(state.object()[QStringLiteral("jack")][QStringLiteral("state")].toString(),
+             QStringLiteral("hold"));
+    QCOMPARE(state.object()[QStringLiteral("towing")][QStringLiteral("cargo")], QJsonValue(true));
+  }
+
   void errorsAreSentencesWithTheirExitCodes() {
     const Outcome missing = run(QStringLiteral("state nothing.bag --at 5"));
     QCOMPARE(missing.code, 4);

@@ -113,6 +113,9 @@ class WorldTest : public QObject {
     QVERIFY(differs([](LiveState& s) { s.landmarks.push_back({}); }));
     QVERIFY(differs([](LiveState& s) { s.doors.push_back({}); }));
     QVERIFY(differs([](LiveState& s) { s.pallets.push_back({}); }));
+    QVERIFY(differs([](LiveState& s) { s.features[BoxKind::Charger].push_back({}); }));
+    QVERIFY(differs([](LiveState& s) { s.jack = JackState{}; }));
+    QVERIFY(differs([](LiveState& s) { s.towing = TowingState{}; }));
     QVERIFY(differs([](LiveState& s) { s.racks.push_back({}); }));
     QVERIFY(differs([](LiveState& s) { s.seen_objects.push_back({}); }));
     QVERIFY(differs([](LiveState& s) { s.constraints.by_name["a"]; }));

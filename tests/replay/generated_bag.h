@@ -145,9 +145,22 @@ inline Bag makeBag(const BagWish& wish) {
       case 14:
         add("/collected_barcode", BarcodeMessage{"ok", std::to_string(i), geometry::Pose2{1, double(i), 0}});
         break;
-      case 15:
-        add("/jack_state", UnreadableMessage{"/jack_state", {}}, true, false);
+      case 15: {
+        if (chance(40)) {
+          add("/odd_state", UnreadableMessage{"/odd_state", {}}, true, false);
+        } else if (chance(50)) {
+          DetectedFeaturesMessage seen;
+          seen.kind = chance(50) ? BoxKind::Rack : BoxKind::Charger;
+          seen.boxes.push_back({"R" + std::to_string(i), {1, double(i), 0}, 1, 1});
+          add(seen.kind == BoxKind::Rack ? "/detected_features/racks_v2" : "/detected_features/chargers",
+              seen, true);
+        } else if (chance(50)) {
+          add("/jack_state", JackState{"hold", double(number(100)) / 100, false, double(i)}, true);
+        } else {
+          add("/towing_state", TowingState{chance(50) ? "locked" : "released", 1.0, chance(50)}, true);
+        }
         break;
+      }
       case 16:
         add("/robot_model", RobotModel{{{1, 1}, {2, double(i)}}, {}, 0.5}, true);
         break;

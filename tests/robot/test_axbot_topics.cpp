@@ -159,6 +159,23 @@ class AxbotTopicsTest : public QObject {
                                "aligned\":{\"pose\":{\"pos\":[0,0],\"ori\":0},\"width\":0.6,\"height\":0.7}}")
             .racks.size(),
         std::size_t(2));
+    for (const auto& [topic, list, kind] : {std::tuple("racks_v2", "racks", map::BoxKind::Rack),
+                                            {"pallets", "pallets", map::BoxKind::Pallet},
+                                            {"chargers", "poses", map::BoxKind::Charger}}) {
+      const auto seen = read<map::DetectedFeaturesMessage>(
+          std::string("{\"topic\":\"/detected_features/") + topic + "\",\"" + list +
+          "\":[{\"pos\":[1,2],\"ori\":0.5},{\"pose\":{\"pos\":[3,4],\"ori\":0},\"size\":{\"width\":0.8,"
+          "\"depth\":"
+          "1.2}},{\"id\":\"no pose\"}]}");
+      QCOMPARE(seen.boxes.size(), std::size_t(2));
+      QVERIFY(seen.kind == kind && seen.boxes[0].pose.x_m == 1 && seen.boxes[1].length_m == 1.2);
+    }
+    const auto jack =
+        read<map::JackState>("{\"topic\":\"/jack_state\",\"state\":\"hold\",\"progress\":0.35}");
+    QVERIFY(jack.state == "hold" && jack.progress == 0.35 && !jack.weight);
+    const auto towing = read<map::TowingState>(
+        "{\"topic\":\"/towing_state\",\"state\":\"error\",\"cargo_detected\":true,\"error_code\":7}");
+    QVERIFY(towing.state == "error" && towing.cargo_detected == true && towing.error_code == 7);
     const auto person = read<map::SeenObjectsMessage>(
                             "{\"topic\":\"/"
                             "vision_detected_objects\",\"boxes\":[{\"pose\":{\"pos\":[0.3,1],\"ori\":0},"

@@ -142,6 +142,39 @@ void addPositioning(const map::GlobalPositioning& positioning, std::vector<Statu
   section.addTo(sections);
 }
 
+void addJack(const map::JackState& jack, std::vector<StatusSection>& sections) {
+  Section section(QT_TRANSLATE_NOOP("window", "Jack"));
+  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(jack.state));
+  if (jack.progress && std::isfinite(*jack.progress))
+    section.add(QT_TRANSLATE_NOOP("window", "Height"), number(*jack.progress * 100, 0, "%"));
+  if (jack.weight && std::isfinite(*jack.weight))
+    section.add(QT_TRANSLATE_NOOP("window", "Weight"), QString::number(*jack.weight, 'g', 6));
+  if (jack.self_checking.value_or(false))
+    section.add(QT_TRANSLATE_NOOP("window", "Self-check"), QCoreApplication::translate("window", "running"),
+                Mark::Busy);
+  section.addTo(sections);
+}
+
+void addTowing(const map::TowingState& towing, std::vector<StatusSection>& sections) {
+  Section section(QT_TRANSLATE_NOOP("window", "Towing"));
+  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(towing.state),
+              towing.state == "error" ? Mark::Bad : Mark::None);
+  if (towing.cargo_detected)
+    section.add(QT_TRANSLATE_NOOP("window", "Cargo"), *towing.cargo_detected
+                                                          ? QCoreApplication::translate("window", "detected")
+                                                          : QCoreApplication::translate("window", "none"));
+  if (towing.progress && *towing.progress > 0 && *towing.progress < 1)
+    section.add(QT_TRANSLATE_NOOP("window", "Progress"), number(*towing.progress * 100, 0, "%"));
+  if (towing.error_code != 0 || !towing.error.empty()) {
+    QString error = plain(towing.error);
+    if (towing.error_code != 0)
+      error = error.isEmpty() ? QString::number(towing.error_code)
+                              : QStringLiteral("%1: %2").arg(QString::number(towing.error_code), error);
+    section.add(QT_TRANSLATE_NOOP("window", "Failure"), error, Mark::Bad);
+  }
+  section.addTo(sections);
+}
+
 }  // namespace
 
 std::vector<StatusSection> statusSections(const map::LiveState& live) {
@@ -165,6 +198,8 @@ std::vector<StatusSection> statusSections(const map::LiveState& live) {
     section.add(QT_TRANSLATE_NOOP("window", "Power"), plain(live.sensors->power_state));
     section.addTo(sections);
   }
+  if (live.jack) addJack(*live.jack, sections);
+  if (live.towing) addTowing(*live.towing, sections);
   if (live.global_positioning) addPositioning(*live.global_positioning, sections);
   if (live.barcode) {
     Section section(QT_TRANSLATE_NOOP("window", "Barcode"));

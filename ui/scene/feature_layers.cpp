@@ -263,8 +263,8 @@ class BoxesLayer : public SmallLayer {
     const map::LiveState& live = *context_.live;
     const auto robot = context_.robotPose();
     std::vector<Box> boxes;
-    for (const auto* group : {&live.pallets, &live.racks, &live.seen_objects}) {
-      for (const map::GroundBox& box : *group) {
+    for (const map::BoxGroup& group : map::boxGroups(live)) {
+      for (const map::GroundBox& box : *group.boxes) {
         if (box.in_robot_frame && !robot) continue;
         boxes.push_back({&box, box.in_robot_frame ? *robot * box.pose : box.pose});
       }
@@ -283,8 +283,8 @@ class BoxesLayer : public SmallLayer {
     const map::LiveState& live = *context_.live;
     geometry::WorldRect bounds;
     for (const map::GroundDrawing& drawing : live.drawings) bounds.extend(boundsOf(drawing.points));
-    for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
-      for (const map::GroundBox& box : *boxes) {
+    for (const map::BoxGroup& group : map::boxGroups(live)) {
+      for (const map::GroundBox& box : *group.boxes) {
         const auto robot = context_.robotPose();
         if (box.in_robot_frame && !robot) continue;
         const geometry::Pose2 pose = box.in_robot_frame ? *robot * box.pose : box.pose;
@@ -490,15 +490,16 @@ LayerSpec layerSpec<Layer::Doors>() {
 
 template <>
 LayerSpec layerSpec<Layer::Boxes>() {
-  return {.name = "boxes",
-          .title = QT_TRANSLATE_NOOP("scene", "Pallets, racks, markers"),
-          .group = LayerGroup::Environment,
-          .streams = {map::Stream::Pallets, map::Stream::Racks, map::Stream::SeenObjects},
-          .topics = {map::topicIndex<map::PalletsMessage>(), map::topicIndex<map::RackMessage>(),
-                     map::topicIndex<map::SeenObjectsMessage>()},
-          .traits = [] { return LayerTraits{.color = true}; },
-          .items = oneItem<BoxesLayer>,
-          .legend = boxesLegend};
+  return {
+      .name = "boxes",
+      .title = QT_TRANSLATE_NOOP("scene", "Pallets, racks, markers"),
+      .group = LayerGroup::Environment,
+      .streams = {map::Stream::Pallets, map::Stream::Racks, map::Stream::SeenObjects},
+      .topics = {map::topicIndex<map::PalletsMessage>(), map::topicIndex<map::RackMessage>(),
+                 map::topicIndex<map::DetectedFeaturesMessage>(), map::topicIndex<map::SeenObjectsMessage>()},
+      .traits = [] { return LayerTraits{.color = true}; },
+      .items = oneItem<BoxesLayer>,
+      .legend = boxesLegend};
 }
 
 }  // namespace mapwright::scene

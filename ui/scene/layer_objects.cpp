@@ -264,13 +264,31 @@ MapObject describeWaypoint(const LayerContext& context, FeaturesOf of, std::size
 
 // Boxes and drawings.
 
-/// All boxes, in the order in which they are drawn.
-const map::GroundBox* boxAt(const map::LiveState& live, std::size_t number) {
-  for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
-    if (number < boxes->size()) return &(*boxes)[number];
-    number -= boxes->size();
+/// Counted in the order in which they are drawn; with the group that it belongs to.
+std::pair<const map::GroundBox*, map::BoxGroup> boxInGroup(const map::LiveState& live, std::size_t number) {
+  for (const map::BoxGroup& group : map::boxGroups(live)) {
+    if (number < group.boxes->size()) return {&(*group.boxes)[number], group};
+    number -= group.boxes->size();
   }
-  return nullptr;
+  return {};
+}
+
+const map::GroundBox* boxAt(const map::LiveState& live, std::size_t number) {
+  return boxInGroup(live, number).first;
+}
+
+QString kindOf(map::BoxKind kind) {
+  switch (kind) {
+    case map::BoxKind::Pallet:
+      return ObjectText::tr("Pallet");
+    case map::BoxKind::Rack:
+      return ObjectText::tr("Rack");
+    case map::BoxKind::Charger:
+      return ObjectText::tr("Charger");
+    case map::BoxKind::Object:
+      break;
+  }
+  return ObjectText::tr("Seen object");
 }
 
 std::optional<geometry::Pose2> placeOf(const LayerContext& context, const map::GroundBox& box) {
@@ -302,17 +320,11 @@ std::string keyOfBox(const LayerContext& context, FeaturesOf, std::size_t number
 }
 
 MapObject describeBox(const LayerContext& context, FeaturesOf, std::size_t number) {
-  const map::LiveState& live = *context.live;
-  const map::GroundBox& box = *boxAt(live, number);
+  const auto [at, group] = boxInGroup(*context.live, number);
+  const map::GroundBox& box = *at;
   MapObject object;
-  const bool pallet = number < live.pallets.size(),
-             rack = !pallet && number < live.pallets.size() + live.racks.size();
-  object.kind = pallet ? ObjectText::tr("Pallet")
-                : rack ? ObjectText::tr("Rack")
-                       : ObjectText::tr("Seen object");
-  object.topic = pallet ? map::topicIndex<map::PalletsMessage>()
-                 : rack ? map::topicIndex<map::RackMessage>()
-                        : map::topicIndex<map::SeenObjectsMessage>();
+  object.kind = kindOf(group.kind);
+  object.topic = group.topic;
   object.name = shortName(box.label);
   object.look = whichLook(box);
   if (const auto pose = placeOf(context, box)) object.yaw_rad = pose->yaw_rad;

@@ -370,8 +370,8 @@ void MapScene::takeLive(int what) {
     if (length != std::exchange(items.trail_length, length))
       items.first(Layer::Trail).update(items.robot_rect);
     const map::LiveState& live = *items.context.live;
-    for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
-      if (!std::any_of(boxes->begin(), boxes->end(),
+    for (const map::BoxGroup& group : map::boxGroups(live)) {
+      if (!std::any_of(group.boxes->begin(), group.boxes->end(),
                        [](const map::GroundBox& box) { return box.in_robot_frame; }))
         continue;
       items.first(Layer::Boxes).liveChanged();

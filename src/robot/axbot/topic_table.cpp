@@ -183,6 +183,18 @@ map::TopicMessage wheelState(const Json& message) {
                          wire::flag(message, {"wheels_released"})};
 }
 
+map::TopicMessage jackState(const Json& message) {
+  return map::JackState{wire::text(message, {"state"}), wire::number(message, {"progress"}),
+                        wire::flag(message, {"self_checking"}), wire::number(message, {"weight"})};
+}
+
+map::TopicMessage towingState(const Json& message) {
+  return map::TowingState{
+      wire::text(message, {"state"}), wire::number(message, {"action_progress", "progress"}),
+      wire::flag(message, {"cargo_detected"}), wire::integer(message, {"error_code"}).value_or(0),
+      wire::text(message, {"error_message"})};
+}
+
 map::AlertLevel alertLevel(const Json& alert) {
   const std::string level = wire::text(alert, {"level"});
   if (level == "error" || level == "fatal" || level == "critical" || level == "2") {
@@ -357,6 +369,25 @@ map::TopicMessage rack(const Json& message) {
   return rack;
 }
 
+/// The form of these is not documented but for poses: what is a pose is read, and a size if there is one.
+map::DetectedFeaturesMessage features(const Json& message, map::BoxKind kind) {
+  map::DetectedFeaturesMessage seen{kind, {}};
+  const bool in_robot_frame = isRobotFrame(message);
+  for (const char* list : {"racks", "pallets", "chargers", "poses", "features"}) {
+    forEachObject(message, {list}, [&](const Json& row) {
+      const Json size = wire::member(row, {"size"}).value_or(row);
+      const auto found = box(row, wire::text(row, {"rack_id", "pallet_id", "id", "name"}),
+                             wire::number(size, {"depth", "length"}), wire::number(size, {"width"}),
+                             in_robot_frame || isRobotFrame(row));
+      if (found) seen.boxes.push_back(*found);
+    });
+  }
+  return seen;
+}
+map::TopicMessage seenRacks(const Json& message) { return features(message, map::BoxKind::Rack); }
+map::TopicMessage seenPallets(const Json& message) { return features(message, map::BoxKind::Pallet); }
+map::TopicMessage seenChargers(const Json& message) { return features(message, map::BoxKind::Charger); }
+
 std::string objectLabel(const Json& row) {
   const auto label = wire::integer(row, {"label"});
   if (label == 0) return {};
@@ -465,12 +496,17 @@ constexpr Topic kTopics[] = {
     {.name = "/detailed_battery_state", .read = batteryState},
     {.name = "/wheel_state", .read = wheelState, .stream = Stream::Wheels},
     {.name = "/sensor_manager_state", .read = sensorState, .stream = Stream::Sensors},
+    {.name = "/jack_state", .read = jackState, .stream = Stream::Sensors},
+    {.name = "/towing_state", .read = towingState, .stream = Stream::Sensors},
     {.name = "/nearby_robots", .read = nearbyRobots, .stream = Stream::NearbyRobots},
     {.name = "/nearby_robot_footprints", .read = nearbyFootprints, .stream = Stream::NearbyFootprints},
     {.name = "/landmarks", .read = landmarks, .stream = Stream::Landmarks},
     {.name = "/nearby_auto_doors", .read = autoDoors, .stream = Stream::Doors},
     {.name = "/detected_pallets", .read = pallets, .stream = Stream::Pallets},
     {.name = "/detected_rack", .read = rack, .stream = Stream::Racks},
+    {.name = "/detected_features/racks_v2", .read = seenRacks},
+    {.name = "/detected_features/pallets", .read = seenPallets},
+    {.name = "/detected_features/chargers", .read = seenChargers},
     {.name = "/global_positioning_state", .read = globalPositioning, .stream = Stream::GlobalPositioning},
     {.name = "/constraint_list", .read = constraints, .stream = Stream::Constraints},
     {.name = "/vision_detected_objects", .read = seenObjects, .stream = Stream::SeenObjects},
