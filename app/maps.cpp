@@ -94,6 +94,7 @@ void addRow(std::vector<QStringList>& table, const map::CatalogueEntry& row) {
   table.push_back({Text::tr("date"), dateText(row.modified_s ? row.modified_s : row.created_s)});
   table.push_back({Text::tr("current"), row.is_current ? Text::tr("yes") : Text::tr("no")});
   if (!row.state.empty()) table.push_back({Text::tr("state"), words::plainName(row.state)});
+  if (!row.file_name.empty()) table.push_back({Text::tr("map name"), words::plainName(row.file_name)});
 }
 
 /// Shows what is known of a map without a picture (session::lacksPicture()): its name, catalogue entry and
@@ -132,13 +133,16 @@ CommandResult<int> showWithoutPicture(RobotReading& reading, bool json_wanted) {
   return no_picture;
 }
 
-QStringList rowOf(const map::CatalogueEntry& row) {
+/// `file_names`: also that of its files.
+QStringList rowOf(const map::CatalogueEntry& row, bool file_names) {
   const QString version = row.is_archived   ? Text::tr("archived")
                           : row.map_version ? QStringLiteral("v%1").arg(*row.map_version)
                                             : text(row.state);
-  return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
-          version.isEmpty() ? QStringLiteral("-") : version,
-          dateText(row.modified_s ? row.modified_s : row.created_s), words::plainName(row.name)};
+  QStringList cells{row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
+                    version.isEmpty() ? QStringLiteral("-") : version,
+                    dateText(row.modified_s ? row.modified_s : row.created_s)};
+  if (file_names) cells << (row.file_name.empty() ? QStringLiteral("-") : words::plainName(row.file_name));
+  return cells << words::plainName(row.name);
 }
 
 /// NaN when it is no number.
@@ -217,6 +221,15 @@ void print(const map::CatalogueEntry& entry, bool json) {
   }
 }
 
+/// What its map manager does while no map is the current one, whose entry would say so; empty: nothing is
+/// known.
+QString withoutCurrent(RobotReading& reading) {
+  const robot::MapAdministration* const maps = reading.session().robot().mapAdministration();
+  const std::string state = maps ? maps->managerState() : std::string();
+  if (state.empty() || reading.session().catalogue().current()) return {};
+  return Text::tr("The map manager is %1.").arg(words::plainName(state));
+}
+
 CommandResult<int> mapsList(RobotCommand& command, const MapsArguments& args) {
   auto robot = openRobot(command, args, text(args.robot));
   if (!robot) return passOn(robot);
@@ -232,10 +245,14 @@ CommandResult<int> mapsList(RobotCommand& command, const MapsArguments& args) {
     printLine(Text::tr("There are no maps."));
     return kDone;
   }
-  std::vector<QStringList> table{
-      {QStringLiteral(" "), Text::tr("ID"), Text::tr("VERSION"), Text::tr("DATE"), Text::tr("NAME")}};
-  for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
+  const bool file_names =
+      std::any_of((*rows)->begin(), (*rows)->end(), [](const auto& row) { return !row.file_name.empty(); });
+  QStringList header{QStringLiteral(" "), Text::tr("ID"), Text::tr("VERSION"), Text::tr("DATE")};
+  if (file_names) header << Text::tr("MAP NAME");
+  std::vector<QStringList> table{header << Text::tr("NAME")};
+  for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row, file_names));
   printTable(table);
+  if (const QString state = withoutCurrent(**robot); !state.isEmpty()) printLine(state);
   return kDone;
 }
 
@@ -246,8 +263,9 @@ CommandResult<int> mapsCurrent(RobotCommand& command, const MapsArguments& args)
   if (!rows) return passOn(rows);
   const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
   if (!current) {
-    return tl::make_unexpected(CommandFailure{
-        kRobotError, Text::tr("%1: none of its maps is the current one.").arg(text(args.robot))});
+    QString none = Text::tr("%1: none of its maps is the current one.").arg(text(args.robot));
+    if (const QString state = withoutCurrent(**robot); !state.isEmpty()) none += QLatin1Char(' ') + state;
+    return tl::make_unexpected(CommandFailure{kRobotError, none});
   }
   print(*current, args.json);
   return kDone;

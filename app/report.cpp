@@ -58,6 +58,7 @@ QJsonObject entryJson(const map::CatalogueEntry& row) {
                    {QStringLiteral("overlays_version"), jsonOr(row.overlays_version)},
                    {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},
                    {QStringLiteral("modified"), row.modified_s ? QJsonValue(*row.modified_s) : QJsonValue()}};
+  if (!row.file_name.empty()) json[QStringLiteral("map_name")] = QString::fromStdString(row.file_name);
   if (!row.state.empty()) json[QStringLiteral("state")] = QString::fromStdString(row.state);
   if (row.grid) json[QStringLiteral("grid")] = gridJson(*row.grid);
   return json;

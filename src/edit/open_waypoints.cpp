@@ -42,6 +42,7 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
   }
   connect(&submission_, &WaypointSubmission::changed, this, &OpenWaypoints::noteSubmission);
   connect(&store, &robot::WaypointStore::changed, this, &OpenWaypoints::read);
+  connect(&store, &robot::WaypointStore::named, this, &OpenWaypoints::onNamed);
   read();
 }
 
@@ -95,6 +96,10 @@ void OpenWaypoints::read() {
     Q_EMIT self->changed();
     if (!self->saving() && std::exchange(self->read_again_, false)) self->read();
   });
+}
+
+void OpenWaypoints::onNamed(const QString& ours, const QString& theirs) {
+  document_.nameTheirs(document_.ourName(ours.toStdString()), theirs.toStdString());
 }
 
 void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
@@ -200,7 +205,7 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
     document_.markSent(ownChanges(request.changes));
   };
   hears.done = [this](const robot::WaypointRequest& request, const robot::WaypointReceipt& receipt) {
-    for (const auto& [ours, theirs] : receipt.ids) document_.nameTheirs(ours, theirs);
+    for (const auto& [ours, theirs] : receipt.ids) document_.nameTheirs(document_.ourName(ours), theirs);
     document_.confirm(ownChanges(request.changes));
   };
   hears.failed = [this](const robot::WaypointRequest& request, const map::Failure& failure) {

@@ -105,6 +105,7 @@ class OpenWaypoints : public QObject {
 
  private:
   void take(const robot::StoredWaypoints& stored);
+  void onNamed(const QString& ours, const QString& theirs);
   bool areReviewed(const std::vector<robot::WaypointRequest>& requests) const;
   void startSaving();
   WaypointSubmission::Listener listener();

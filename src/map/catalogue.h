@@ -45,9 +45,12 @@ Subject placesOf(const MapKey& key, const std::string& name = {});
 struct CatalogueEntry {
   MapKey key;
   std::string name, uid;
+  std::string file_name = {};  // the robot's own name for its files, besides the shown one; empty = none
   std::optional<double> created_s, modified_s;  // seconds since the epoch
   std::optional<int> map_version, overlays_version;
-  std::string state;                   // of a mapping task: running, finished, cancelled, failed
+  /// Of a mapping task: running, finished, cancelled, failed. Of KABAM's current map that of the map manager:
+  /// IDLE, MAPPING, ACTIVE.
+  std::string state;
   std::optional<int> index;            // the robot's own order
   std::optional<GridReference> grid;   // if known without opening the map
   std::optional<std::uint64_t> bytes;  // size of the picture, if known

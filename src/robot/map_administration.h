@@ -66,6 +66,8 @@ class MapAdministration {
   /// nullopt: it can be requested now. `map`: its catalogue entry; null for changes without a map. May change
   /// after Robot::mapsChanged() or capabilitiesChanged().
   virtual std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const = 0;
+  /// What the robot's map manager calls its present state; empty: it does not say. Untrusted plain text.
+  virtual std::string managerState() const { return {}; }
   /// Load needs to know where the robot stands.
   virtual bool loadAsksForPlace() const { return false; }
   /// The answer is the map as the robot reports it afterwards, including its name; for Delete the former

@@ -86,6 +86,9 @@ class WaypointStore : public QObject {
 
  Q_SIGNALS:
   void changed();  // some list may have changed: read it again
+  /// The robot gave a waypoint that it was asked to create as `ours` the id `theirs`. Comes before the result
+  /// of the request, and whether it is there yet or not.
+  void named(const QString& ours, const QString& theirs);
 };
 
 }  // namespace mapwright::robot

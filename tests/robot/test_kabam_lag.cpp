@@ -87,6 +87,8 @@ class KabamLagTest : public QObject {
   std::unique_ptr<RosRobot> robot_;
   Held held_;
   int ids_ = 0;
+  QJsonArray added_tags_;  // given by the manager to what it creates
+  bool hides_ = false;     // what it creates shows later
 
   void serve(const char* name, ScriptedBridge::Service service) {
     server_->serve(text("/map_manager/") + QLatin1String(name), std::move(service));
@@ -112,7 +114,8 @@ class KabamLagTest : public QObject {
       QJsonObject row = args[text("waypoint_info")].toObject();
       const QString id = text("w") + QString::number(++ids_);
       row[text("id")] = id;
-      held_[id] = row;
+      if (!added_tags_.isEmpty()) row[text("waypoint_tags")] = added_tags_;
+      if (!hides_) held_[id] = row;
       return QJsonObject{{text("result"), 0}, {text("waypoint_response"), row}};
     });
     for (const char* name : {"rename_waypoint", "reposition_waypoint"}) {
@@ -153,6 +156,8 @@ class KabamLagTest : public QObject {
     server_ = std::make_unique<ScriptedBridge>();
     held_.clear();
     ids_ = 0;
+    added_tags_ = {};
+    hides_ = false;
   }
   void cleanup() {
     robot_.reset();
@@ -251,6 +256,37 @@ class KabamLagTest : public QObject {
     server_->forgetLatched(kTopic);
     QVERIFY(online());
     QVERIFY(!read());
+  }
+
+  // The manager named it, so it is ours: with other tags than we wanted, or where somebody else moved it
+  // before we saw it.
+  void whatTheManagerNamedIsNotTakenForAnothers_data() {
+    QTest::addColumn<bool>("late");
+    QTest::newRow("with other tags") << false;
+    QTest::newRow("moved before it shows") << true;
+  }
+  void whatTheManagerNamedIsNotTakenForAnothers() {
+    QFETCH(bool, late);
+    late ? void(hides_ = true) : void(added_tags_ = {text("map_entry")});
+    manage();
+    QVERIFY(online());
+    edit::OpenWaypoints open(*robot_->waypointStore(), kMap, {}, {});
+    QTRY_COMPARE(open.phase(), edit::OpenWaypoints::Phase::Ready);
+    map::Waypoint point;
+    point.id = "ours";
+    point.name = "New";
+    point.yaw_rad = 0;
+    open.document().change({{point.id, std::nullopt, point}}, {});
+    open.save();
+    QTRY_VERIFY(!open.saving());
+    QVERIFY(open.submission().failure());
+    if (late) held_[text("w1")] = rowOf(text("w1"), text("New"), 8);
+    server_->latch(kTopic, messageOf(held_));
+    const auto known = [&] { return open.document().find("ours") && open.document().items().size() == 1; };
+    QTRY_VERIFY(open.looked());
+    QVERIFY(known());
+    QCOMPARE(open.document().conflicts().count("ours"), std::size_t(late ? 1 : 0));
+    QCOMPARE(server_->timesCalled(text("/map_manager/create_waypoint")), 1);
   }
 };
 

@@ -506,6 +506,8 @@ void AdministrationController::showMapping() {
       if (progress_->continues.value_or(false) && current) state.extends = called(current);
     }
   }
+  const robot::MapAdministration* const robots = maps();
+  if (robots && online) state.manager = words::plainName(robots->managerState()).left(40);
   mapping_dock_->setState(state);
 }
 

@@ -82,7 +82,9 @@ void MappingDock::setState(const MappingState& state) {
   state_ = state;
   const QString none = QStringLiteral("–");
   const bool shown = state.phase == MappingState::Phase::Running || state.phase == MappingState::Phase::Away;
-  said_->setText(heading(state));
+  said_->setText(state.manager.isEmpty()
+                     ? heading(state)
+                     : heading(state) + QLatin1Char(' ') + tr("Its map manager is %1.").arg(state.manager));
   lasts_->setText(!shown          ? none
                   : state.lasts_s ? lengthText(qint64(*state.lasts_s))
                                   : tr("at least %1").arg(lengthText(qint64(state.seen_s))));

@@ -24,6 +24,7 @@ struct MappingState {
   int submaps = 0;
   double width_m = 0, height_m = 0;  // of what is mapped; 0 = not known
   QString trouble = {};              // why the robot tells nothing
+  QString manager = {};              // what its map manager calls its state; empty = it does not say
   bool operator==(const MappingState&) const = default;
 };
 

@@ -42,6 +42,8 @@ QString mapDetail(const map::CatalogueEntry& entry) {
   const QString id = words::plainName(entry.key.id).left(kLongestTitle);
   if (entry.key.kind != map::MapKind::File && !id.isEmpty())
     parts << QCoreApplication::translate("window", "id %1").arg(id);
+  if (!entry.file_name.empty() && entry.file_name != entry.name)
+    parts << words::plainName(entry.file_name).left(kLongestTitle);
   if (entry.map_version) parts << QStringLiteral("v%1").arg(*entry.map_version);
   const auto date = entry.modified_s ? entry.modified_s : entry.created_s;
   // Beyond these years the clock is wrong.

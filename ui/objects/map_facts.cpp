@@ -39,6 +39,8 @@ std::vector<scene::ObjectProperty> mapFacts(const session::MapSlot& slot, const 
   if (!file) add(MapText::tr("Id"), plainWords(map::toText(shown.key), 200));
   if (entry) {
     add(MapText::tr("Uid"), plainWords(entry->uid, 200));
+    add(MapText::tr("Map name"), plainWords(entry->file_name, 200));
+    add(MapText::tr("State"), plainWords(entry->state, 40));
     if (entry->map_version) add(MapText::tr("Version"), QString::number(*entry->map_version));
     if (entry->overlays_version)
       add(MapText::tr("Overlays version"), QString::number(*entry->overlays_version));

@@ -293,6 +293,10 @@ void KabamRequests::send(const ChangePtr& change) {
         if (change->doubt && isFinal(*change->doubt)) return change->reply(fail(*change->doubt));
         const Field response = answer.values["waypoint_response"];
         change->id = response.isText() ? response.text() : response["id"].text();
+        // Whatever becomes of the request: a waypoint of this id is ours.
+        const bool created = service == WaypointService::Create;
+        if (created && !change->id.empty() && change->id != change->what.id)
+          Q_EMIT named(QString::fromStdString(change->what.id), QString::fromStdString(change->id));
         confirm(change);
       });
 }

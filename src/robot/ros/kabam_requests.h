@@ -58,6 +58,9 @@ class KabamRequests : public QObject {
   void stands(const QString& state);  // what it does now; comes before mapsChanged()
   void mapsChanged();
   void waypointsChanged();
+  /// The manager gave a waypoint that it was asked to create as `ours` the id `theirs`; comes before the
+  /// result of the request.
+  void named(const QString& ours, const QString& theirs);
 
  private:
   /// How far a change is visible in a list.

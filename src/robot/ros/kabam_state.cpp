@@ -93,6 +93,7 @@ std::vector<map::CatalogueEntry> KabamState::entries() const {
     map::CatalogueEntry entry;
     entry.key = {map::MapKind::Stored, map.id};
     entry.name = calledOf(map);
+    entry.file_name = map.name;
     entry.uid = map.id;
     entry.index = int(entries.size());
     entry.is_archived = map.archived;

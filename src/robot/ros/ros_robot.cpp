@@ -55,6 +55,7 @@ QStringList Topics::topicsOf(map::Stream stream) const {
 
 KabamWaypointStore::KabamWaypointStore(RosLink* link) : kabam_(link, &RosLink::kabam) {
   connect(&link->kabam(), &KabamRequests::waypointsChanged, this, &WaypointStore::changed);
+  connect(&link->kabam(), &KabamRequests::named, this, &WaypointStore::named);
 }
 
 Call KabamWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints> reply) {

@@ -60,6 +60,7 @@ class KabamAdministration : public MapAdministration {
   /// What the manager does now (IDLE, MAPPING, ACTIVE); empty = it has not said.
   void setState(std::string state) { state_ = std::move(state); }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
+  std::string managerState() const override { return state_; }
   bool loadAsksForPlace() const override { return true; }
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
 
