@@ -425,7 +425,7 @@
     <message numerus="yes">
         <source>None of its %1 rows has a valid trajectory_id and submap_index. The previous list stays.</source>
         <translation>
-            <numerusform>Its only row has no valid trajectory_id and submap_index. The previous list stays.</numerusform>
+            <numerusform>Its %1 row has no valid trajectory_id and submap_index. The previous list stays.</numerusform>
             <numerusform>None of its %1 rows has a valid trajectory_id and submap_index. The previous list stays.</numerusform>
         </translation>
     </message>

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "robot/submap_list_topic.h"
+
 namespace mapwright::session {
 namespace {
 
 using map::ProblemCode;
 using map::SubjectKind;
-
-/// As Autoxing robots name it; others have no submaps.
-constexpr const char* kListTopic = "/submap_list";
 
 bool isOpen(const LoggedProblem& row) {
   return !row.resolved && row.problem.severity >= map::Severity::Warning;
@@ -17,7 +16,7 @@ bool isOpen(const LoggedProblem& row) {
 
 bool isOfListTopic(const LoggedProblem& row) {
   return isOpen(row) && row.problem.code == ProblemCode::Unreadable &&
-         row.problem.subject == map::Subject(SubjectKind::Topic, kListTopic);
+         row.problem.subject == map::Subject(SubjectKind::Topic, robot::kSubmapListTopic);
 }
 
 bool leavesOut(const LoggedProblem& row) {

@@ -43,7 +43,7 @@ class Scale final : public YAML::EventHandler {
     empty_ = false;
     const auto found = anchors_.find(anchor);
     // Still open, it would contain itself.
-    if (found == anchors_.end()) throw brokenAt(Code::NotYaml, mark, "an alias of what it stands in");
+    if (found == anchors_.end()) throw brokenAt(Code::NotYaml, mark, "recursive alias");
     add(mark, found->second);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,

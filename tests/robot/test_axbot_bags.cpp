@@ -357,7 +357,7 @@ class AxbotBagsTest : public QObject {
     reading.setWhole(true);
     QVERIFY(QTest::qWaitFor([&] { return reading.chunks().wholeRead(); }, kLongMs));
     QCOMPARE(std::int64_t(reading.chunks().messagesRead()), reading.info()->messages);
-    QCOMPARE((*all)->messages.size(), std::size_t(reading.info()->messages));
+    QCOMPARE((*all)->messages.size(), std::size_t(*reading.info()->messages));
   }
 
   void whatWasReadOnceLiesOnTheDisk() {

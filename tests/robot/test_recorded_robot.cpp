@@ -532,7 +532,7 @@ class RecordedRobotTest : public QObject {
           [&](auto reply) { return robot->bagLibrary()->info(keyOf(path), std::move(reply)); });
       QVERIFY(info);
       QCOMPARE(info->topics.size(), std::size_t(kChannels));
-      for (const auto& topic : info->topics) QCOMPARE(topic.hz, std::optional(1.0));
+      for (const auto& topic : info->topics) QCOMPARE(topic.rate_hz, std::optional(1.0));
       BagRange last{0.5, 0.6};
       last.back_fill = true;
       const auto chunk = answer<BagChunkPtr>(

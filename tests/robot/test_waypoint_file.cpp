@@ -96,13 +96,13 @@ class TestWaypointFile : public QObject {
   void headingsOfOtherNamesAreNamedAndDegreesRefused() {
     const char* const point =
         R"("features":[{"type":"Feature","properties":{"name":"A","yaw":1.57},"geometry":{"type":"Point","coordinates":[1,2]}}]})";
-    write("office.waypoints.geojson", QByteArray(R"({"type":"FeatureCollection",)") + point);
+    write("office.waypoints.geojson", std::string(R"({"type":"FeatureCollection",)") + point);
     const auto robot = open("office.yaml");
     const auto named = read(*robot);
     QVERIFY(named && !named->points.front().yaw_rad);
     QVERIFY(named->notes == std::vector<Fault>{Fault(files::fault::WaypointHeadingUnread, {"yaw"})});
     write("office.waypoints.geojson",
-          QByteArray(
+          std::string(
               R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:4326"}},)") +
               point);
     QVERIFY(!read(*robot));

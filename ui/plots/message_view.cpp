@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QMouseEvent>
 
+#include "ui/kit/status_text.h"
+
 namespace mapwright::window {
 
 namespace {
@@ -168,4 +170,3 @@ void MessageView::contextMenuEvent(QContextMenuEvent* event) {
 }  // namespace mapwright::window
 
 #include "moc_message_view.cpp"
-#include "ui/kit/status_text.h"

@@ -135,9 +135,9 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     if (entry.is_current) title += tr("  current");
     offer(entry.key, title);
   }
-  if (session->wholeMap().source() || (chosen && std::holds_alternative<KeptState>(*chosen)))
-    offer(KeptState{},
-          chosen == SecondMap(KeptState{}) ? tr("The state before") : tr("Keep the current state"));
+  const bool kept = chosen && std::holds_alternative<KeptState>(*chosen);
+  if (session->wholeMap().source() || kept)
+    offer(KeptState{}, kept ? tr("The state before") : tr("Keep the current state"));
   const bool file = chosen && std::holds_alternative<FileAside>(*chosen);
   offer(FileAside{}, file ? comparedNames(*session).right : tr("File…"));
   if (offers != offers_ || titles != titles_) {

@@ -6,6 +6,7 @@
 #include "map/submap_version.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/overlay_requests.h"
+#include "robot/submap_list_topic.h"
 #include "robot/wire/faults.h"
 #include "robot/wire/picture_bytes.h"
 #include "ros_messages/slam.pb.h"
@@ -378,7 +379,7 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
 }
 
 map::TopicMessage usable(map::SubmapList list) {
-  const auto unusable = [](Fault why) { return map::UnreadableMessage{"/submap_list", std::move(why)}; };
+  const auto unusable = [](Fault why) { return map::UnreadableMessage{kSubmapListTopic, std::move(why)}; };
   if (list.entries.empty() && !list.rejected.empty())
     return unusable({fault::NoRowReadable, {std::int64_t(list.rejected.size())}});
   if (!list.entries.empty() && list.uuid.empty()) return unusable(fault::ListWithoutUuid);
