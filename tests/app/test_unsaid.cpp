@@ -131,7 +131,8 @@ class UnsaidTest : public QObject {
     robot.serve("/mappings/", "[]");
     robot.serve("/chassis/current-map", R"({"id":1})");
     robot.serve("/maps/1",
-                R"({"id":1,"uid":"u","map_name":"Hall","overlays":"{\"type\":\"FeatureCollection\"}"})");
+                "{\"id\":1,\"uid\":\"u\",\"map_name\":\"Hall\",\"overlays\":\"{\\\"type\\\":"
+                "\\\"FeatureCollection\\\"}\"}");
     const tests::EndedBytes ended =
         run(QStringLiteral("overlays get --map 1 -o o.geojson --robot axbot+") + robot.url().toString());
     QVERIFY2(ended.code == 0, ended.err.constData());

@@ -145,7 +145,7 @@ void TestTexts::whatPeopleReadCanBeTranslated() {
       QStringLiteral("x, y, z, yaw"),
       QStringLiteral("x, y, z, roll, pitch, yaw"),
       QStringLiteral("x, y, z, qx, qy, qz, qw"),
-      QStringLiteral("qx, qy, qz, qw)"),
+      QStringLiteral("qx, qy, qz, qw"),
   };
   int translated = 0;
   QStringList wrong;

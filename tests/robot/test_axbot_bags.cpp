@@ -106,7 +106,7 @@ class AxbotBagsTest : public QObject {
   void aRangeIsReadMessageByMessage() {
     const std::string json = R"({"total_messages":5,"start_time":10,"end_time":20,"messages":[
       {"topic":"/tracked_pose","pos":[1,2],"ori":0.5,"__stamp":10.123,"__latched":false},
-      {"topic":"/jack_state","state":"up","__stamp":11,"__latched":true},
+      {"topic":"/no_such_state","state":"up","__stamp":11,"__latched":true},
       {"topic":"/tracked_pose","pos":[NaN,2],"ori":0.5,"__stamp":12},
       {"topic":"/battery_state","percentage":0.5},
       {"topic":"/battery_state","percentage":0.5,"__stamp":NaN},
@@ -119,10 +119,10 @@ class AxbotBagsTest : public QObject {
     QCOMPARE(chunk->unreadable, std::size_t(1));
     QCOMPARE(chunk->messages[0].message.received_s, 10.123);
     QVERIFY(chunk->messages[0].known && !chunk->messages[0].latched);
-    QCOMPARE(chunk->messages[1].message.topic, std::string("/jack_state"));
+    QCOMPARE(chunk->messages[1].message.topic, std::string("/no_such_state"));
     QVERIFY(!chunk->messages[1].known && chunk->messages[1].latched);
     QCOMPARE(std::string(chunk->textOf(chunk->messages[1])),
-             std::string(R"({"topic":"/jack_state","state":"up","__stamp":11,"__latched":true})"));
+             std::string(R"({"topic":"/no_such_state","state":"up","__stamp":11,"__latched":true})"));
     QCOMPARE(chunk->messages[3].message.received_s, 13.5);
   }
 
@@ -571,20 +571,20 @@ class AxbotBagsTest : public QObject {
       for (const BagEntry& row : *rows) keys.insert(row.key);
       return keys;
     };
-    const auto record = [&] {
+    const auto record = [&](const char* suffix) {
       return bench.ask<BagEntry>([&](OutcomeTo<BagEntry> reply) {
-        return bench.bags().record({"new", "90s", ""}, std::move(reply));
+        return bench.bags().record({suffix, "90s", ""}, std::move(reply));
       });
     };
     const std::set<BagKey> before = listed();
     bench.sim.setFaults(faults);
-    const auto made = record();
+    const auto made = record("new");
     QCOMPARE(made.has_value(), done);
     QCOMPARE(listed().size(), before.size() + std::size_t(done));
     if (made) QVERIFY(listed().contains(made->key) && !before.contains(made->key));
     if (!made) QCOMPARE(int(made.error().applied), int(map::Applied::Maybe));
     bench.sim.setFaults({});
-    const auto other = record();
+    const auto other = record("other");
     QVERIFY(other);
     bench.sim.setFaults(faults);
     const auto gone = bench.ask<BagKey>(

@@ -146,7 +146,7 @@ class AxbotParseTest : public QObject {
 
   void answersAndUnknownTopicsAreToldApart() {
     QCOMPARE(parseTextFrame(R"({"enabled_topics":["/a","/b"]})").enabled_topics->size(), std::size_t(2));
-    QVERIFY(!parseTextFrame(R"({"topic":"/jack_state","progress":0.5})").message);
+    QVERIFY(!parseTextFrame(R"({"topic":"/no_such_state","progress":0.5})").message);
     QCOMPARE(parseTextFrame(R"({"error":"no such topic"})").error, std::string("no such topic"));
   }
 

@@ -569,6 +569,8 @@ class AxbotRobotTest : public QObject {
   }
 
   void anIdInAnotherSpellingChangesNothing() {
+    server_->serve("/maps/", R"([{"id":1,"map_name":"Hall"}])");
+    server_->serve("/mappings/", "[]");
     server_->serve("/maps/01", R"({"id":1,"map_name":"Hall","overlays":""})");
     const map::MapKey key{map::MapKind::Stored, "01"};
     for (const MapChange change : {MapChange::Delete, MapChange::Rename, MapChange::Load}) {

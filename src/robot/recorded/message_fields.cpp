@@ -205,7 +205,8 @@ std::string MessageText::ofFrame(const wire::Json& root) const {
   const bool has_topic = root["topic"].error() == simdjson::SUCCESS;
   const bool has_stamp = root["__stamp"].error() == simdjson::SUCCESS;
   // Its own members stay what they are, and those of the recording are told as well.
-  const auto stamp_s = wire::number(root, {"__stamp"});
+  // A number in a text is another value: whoever reads the line expects a number there.
+  const auto stamp_s = root["__stamp"].is_number() ? wire::number(root, {"__stamp"}) : std::nullopt;
   const bool other_stamp =
       has_stamp &&
       !(stamp_s && (isStamp(*stamp_s, message_.log_time_ns) || isStamp(*stamp_s, message_.publish_time_ns)));
