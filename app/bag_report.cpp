@@ -55,10 +55,9 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
     OtherRun other = otherRunFrom(args.against);
     if (const QString file = words::text(other.bag);
         QFileInfo(file).isFile() && !robot::recorded::isRecording(file))
-      return wrong(
-          Text::tr(
-              "--against %1 is not a recording. Pass a file (.mcap, .bag, .db3) or the name of a bag of the robot.")
-              .arg(words::plainName(other.bag)));
+      return wrong(Text::tr("--against %1 is not a recording. Pass a file (.mcap, .bag, .db3) or the name of "
+                            "a bag of the robot.")
+                       .arg(words::plainName(other.bag)));
     std::string robot;
     takeRecording(robot, other.bag, address.startsWith(kFileScheme) ? std::string() : args.robot);
     if (robot.empty())

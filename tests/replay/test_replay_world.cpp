@@ -313,7 +313,8 @@ class ReplayWorldTest : public QObject {
     QTest::addColumn<QString>("code");
     QTest::addColumn<int>("damages");
     for (const char* code : {"400", "500"}) {
-      for (const int damages : {1, 3}) QTest::addRow("%s, %d", code, damages) << QString::fromLatin1(code) << damages;
+      for (const int damages : {1, 3})
+        QTest::addRow("%s, %d", code, damages) << QString::fromLatin1(code) << damages;
     }
   }
   /// Read in one pass, as a whole, and by jumps: all that no damaged second holds comes once.

@@ -207,8 +207,7 @@ class TestWindowText : public QObject {
       QVERIFY2(fuzzyScore(QLatin1String(typed), report), typed);
     // From better to worse.
     std::optional<int> last;
-    for (const char* text :
-         {"Redo", "Redo all", "The redo list", "Predominant", "Read the whole bag"}) {
+    for (const char* text : {"Redo", "Redo all", "The redo list", "Predominant", "Read the whole bag"}) {
       const auto score = fuzzyScore(QStringLiteral("redo"), QLatin1String(text));
       QVERIFY2(score && (!last || *score < *last), text);
       last = score;

@@ -387,7 +387,8 @@ class TestWindowTyping : public QObject {
 
   void theMapHasTheFocusWhenWhatHadItIsGone_data() {
     QTest::addColumn<QByteArray>("how");
-    for (const char* how : {"disabled", "hidden", "its panel is closed", "deleted", "disabled behind a dialog"})
+    for (const char* how :
+         {"disabled", "hidden", "its panel is closed", "deleted", "disabled behind a dialog"})
       QTest::newRow(how) << QByteArray(how);
   }
   void theMapHasTheFocusWhenWhatHadItIsGone() {

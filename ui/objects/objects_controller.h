@@ -27,8 +27,9 @@ class ObjectsController : public Controller {
   Q_OBJECT
  public:
   /// `wall`: the time of day.
-  explicit ObjectsController(WindowContext& context, QObject* parent = nullptr,
-                             std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); });
+  explicit ObjectsController(
+      WindowContext& context, QObject* parent = nullptr,
+      std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); });
 
   ObjectCard* card() const { return card_; }
   PropertiesDock* properties() const { return properties_; }

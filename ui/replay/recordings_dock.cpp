@@ -348,7 +348,8 @@ void RecordingsDock::showMenu(const QPoint& at) {
   if (stop_->isEnabled()) add(stop_, &RecordingsDock::stopWanted);
   menu.addSeparator();
   menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy name"), this, [this, key] {
-    Q_EMIT copyWanted(QString::fromStdString(key->name), tr("Copied %1").arg(plainWords(bagCalled(*key), 80)));
+    Q_EMIT copyWanted(QString::fromStdString(key->name),
+                      tr("Copied %1").arg(plainWords(bagCalled(*key), 80)));
   });
   if (const BagNote note = model_->note(*key); note.kind == BagNote::Kind::Failed)
     menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy the error"), this, [this, note] {

@@ -14,12 +14,13 @@ void LeftMap::onLeft(const map::MapKey& map, const QString& sentence) {
   // With the time: what happens again is said again, also after the strip was closed.
   const QString said = QCoreApplication::translate("window", "The robot changed to another map at %1. %2")
                            .arg(context_.edit.now().toString(QStringLiteral("HH:mm:ss")), sentence);
-  context_.notices.set(NoticeRank::Draft, {Mark::Warning, said, QCoreApplication::translate("window", "Show it"),
-                                           [context = &context_, map] {
-                                             if (session::Session* const session = context->current.session())
-                                               session->openMap(map);
-                                           },
-                                           true});
+  context_.notices.set(NoticeRank::Draft,
+                       {Mark::Warning, said, QCoreApplication::translate("window", "Show it"),
+                        [context = &context_, map] {
+                          if (session::Session* const session = context->current.session())
+                            session->openMap(map);
+                        },
+                        true});
 }
 
 void LeftMap::onOpened(const std::optional<map::MapKey>& map) {

@@ -1,5 +1,5 @@
-// A map that the robot left while it had unsaved changes: said in the strip above the map, with an offer to show it
-// again, until that is done. GUI thread.
+// A map that the robot left while it had unsaved changes: said in the strip above the map, with an offer to
+// show it again, until that is done. GUI thread.
 #pragma once
 
 #include <optional>
