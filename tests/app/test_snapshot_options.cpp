@@ -87,7 +87,7 @@ class SnapshotOptionsTest : public QObject {
     row("size", "99999999999x1");
     row("center", "1");
     row("center", "nan,0");
-    row("center", "1e9,0");
+    row("center", "1e10,0");
     row("colors", "pink");
     row("theme", "blue");
     row("layers", "submaps,moon");

@@ -1,4 +1,4 @@
-// Where the keyboard focus goes when the widget that had it is hidden, disabled or deleted: to the map. Qt
+// Where the keyboard focus goes when the widget that had it is disabled or deleted: to the map. Qt
 // gives it to the next widget in line, often a search field, where the keys of tools would be typed then.
 #pragma once
 
