@@ -86,7 +86,7 @@ class MapsChangeTest : public QObject {
       QTest::newRow(fault) << QString::fromLatin1(fault) << code << QString::fromLatin1(says);
     };
     row("no such map", 4, "It was not changed: the robot answered 404 (not found)");
-    row("it stumbles", 4, "Whether it was changed is unknown: the robot answered 50");
+    row("it stumbles", 1, "Whether it was changed is unknown: the robot answered 50");
     row("it hangs up", 1, "Whether it was changed is unknown: the robot closed the connection");
     row("it takes its time", 1, "Whether it was changed is unknown: it did not answer within 2 s");
   }
