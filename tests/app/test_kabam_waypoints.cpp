@@ -216,9 +216,16 @@ class KabamWaypointsTest : public QObject {
 
   void whatBothChangedIsAConflictAlsoBehindATopicThatLags() {
     start([](simulator::Options& options) { options.faults.ros.waypoints_lag_ms = 600'000; });
-    const QString first = at(listed().first(), "id").toString();
+    QByteArray csv = "id,name\n";
+    const QJsonArray before = listed();
+    for (int i = 0; i < before.size(); ++i) {
+      const QString name = i == 0 ? QStringLiteral("Mine") : at(before[i], "name").toString();
+      csv += at(before[i], "id").toString().toUtf8() + ",\"" + name.toUtf8().replace("\"", "\"\"") + "\"\n";
+    }
+    put("mine.csv", csv);
+    QCOMPARE(run("plan mine.csv -o plan.json").code, 0);
     robot_->otherOperator();
-    const Outcome renamed = run({QStringLiteral("rename"), first, QStringLiteral("Mine")});
+    const Outcome renamed = run("apply plan.json");
     QCOMPARE(renamed.code, 4);
     QVERIFY2(renamed.err.contains(QStringLiteral("Nothing was sent")), qPrintable(renamed.err));
     QCOMPARE(timesCalled("rename_waypoint"), 0);

@@ -230,7 +230,7 @@ class OverlaysCommandTest : public QObject {
     faults.drop_writes = 0;
     faults.write_error_rate = 1;
     start(faults);
-    QCOMPARE(run("set mine.geojson --base base.geojson").code, 4);
+    QCOMPARE(run("set mine.geojson --base base.geojson").code, 1);  // it may have been made all the same
   }
 
   void flawsAreFoundInAFileAndOnTheRobot() {

@@ -52,7 +52,7 @@ class RosCommandsTest : public QObject {
   static QString idOf(const QJsonArray& maps, bool current) {
     for (const QJsonValue& map : maps) {
       if (map[QLatin1String("current")].toBool() == current &&
-          map[QLatin1String("state")].toString().isEmpty())
+          map[QLatin1String("kind")] == QLatin1String("map"))
         return map[QLatin1String("id")].toString();
     }
     return {};

@@ -220,11 +220,9 @@ class WaypointSendingTest : public QObject {
   void whetherItWasMadeIsNotKnownHasACodeOfItsOwn() {
     for (const auto kind : {map::FailureKind::TimedOut, map::FailureKind::Unreachable,
                             map::FailureKind::RejectedByRobot, map::FailureKind::MalformedAnswer}) {
-      const bool answered =
-          kind == map::FailureKind::RejectedByRobot || kind == map::FailureKind::MalformedAnswer;
       map::Failure change = failed(kind, map::Applied::Maybe);
       change.asked_for = map::AskedFor::Change;
-      QCOMPARE(int(app::exitCodeOf(change)), int(answered ? app::kRobotError : app::kIncomplete));
+      QCOMPARE(int(app::exitCodeOf(change)), int(app::kIncomplete));
       change.applied = map::Applied::No;
       QCOMPARE(int(app::exitCodeOf(change)), int(app::exitCodeOf(kind)));
     }

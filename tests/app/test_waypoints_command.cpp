@@ -152,7 +152,7 @@ class WaypointsCommandTest : public QObject {
     put("hall.pgm", "no picture");
     const Outcome list = at(QStringLiteral("list --warnings --json"));
     QCOMPARE(list.code, 1);
-    QVERIFY2(list.err.contains(QStringLiteral("not checked for walls")), qPrintable(list.err));
+    QVERIFY2(list.err.contains(QStringLiteral("Picture hall.pgm")), qPrintable(list.err));
     const auto kinds = kindsOf(list.array());
     QVERIFY(kinds[QStringLiteral("In")].isEmpty());
     QCOMPARE(kinds[QStringLiteral("Twin")].size(), 2);
