@@ -565,6 +565,9 @@ void SnapshotRun::paint(bool settled) {
   session_.standStill();
   // Closing drops everything read from a bag.
   const auto track = wantsTrack() ? window::trackOfBag(*replayed_->reading()) : nullptr;
+  const auto holes =
+      wantsTrack() ? replayed_->reading()->chunks().holes(std::nextafter(*options_.at_s, HUGE_VAL), HUGE_VAL)
+                   : std::vector<replay::Hole>();
   session_.close();
   chosen_.emplace();
   chosen_->counts = session_.counts();
@@ -578,12 +581,9 @@ void SnapshotRun::paint(bool settled) {
               (!options_.wantsWhole() || scans_alone_ || map_.complete()) && !waypointsLost() &&
               !overlaysLost() && (!region_ || region_->complete()) &&
               (!wantsCloud() || (cloud_ && cloud_->came)) && bagLosses(session_.problems()).isEmpty();
-  if (wantsTrack()) {
-    const double later_s = std::nextafter(*options_.at_s, HUGE_VAL);
-    if (const auto holes = replayed_->reading()->chunks().holes(later_s, HUGE_VAL); !holes.empty()) {
-      complete_ = false;
-      notes_ << sentences::sentenceOf(replay::faultOf(holes));
-    }
+  if (!holes.empty()) {
+    complete_ = false;
+    notes_ << sentences::sentenceOf(replay::faultOf(holes));
   }
   // Also printed to standard error although nothing is missing.
   const auto say = [this](const QString& note) {

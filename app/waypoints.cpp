@@ -410,8 +410,11 @@ CommandResult<int> waypointsApply(RobotCommand& command, const WaypointsArgument
                      .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
   plan->edits = fitted(*list, std::move(plan->edits));
   const auto edits = exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points));
-  const auto deletes = std::size_t(std::count_if(
-      edits.begin(), edits.end(), [](const exchange::WaypointEdit& edit) { return !edit.after; }));
+  const exchange::WaypointItems now = exchange::itemsOf(list->stored.points);
+  const auto deletes =
+      std::size_t(std::count_if(edits.begin(), edits.end(), [&](const exchange::WaypointEdit& edit) {
+        return !edit.after && now.contains(edit.key);  // what is gone already is no loss
+      }));
   const std::size_t there = list->stored.points.size();
   if (!args.yes && !args.dry_run && 2 * deletes > there)
     return wrong(Text::tr("%1 deletes %2 of the %3 waypoints of the map %4. Pass --yes to apply it.")

@@ -237,7 +237,7 @@ class DispatchCommandsTest : public QObject {
     QVERIFY2(saved.code == 0, saved.err.constData());
     QVERIFY(saved.out.contains("office.png"));
     const Ran refused = ask({text("maps"), text("save-on-robot"), text("office.docx")});
-    QCOMPARE(refused.code, 4);
+    QCOMPARE(refused.code, 1);  // a service that fails may have done its work
     QVERIFY2(refused.err.contains("office.docx"), refused.err.constData());
     QCOMPARE(ask({text("maps"), text("save-on-robot"), text("a\nb")}).code, 2);
   }

@@ -154,11 +154,9 @@ class KabamWaypointsTest : public QObject {
   void thePlanThatWasAppliedIsNotAppliedAgain() {
     start([](simulator::Options& options) { options.faults.ros.waypoints_lag_ms = 600'000; });
     const QJsonArray before = listed();
-    QByteArray csv = "id,name,x,y,yaw_rad\n";
-    for (const QJsonValue& row : before) {
-      csv += at(row, "id").toString().toUtf8() + ",,,,\n";
-    }
-    put("more.csv", csv + ",One,1,1,0\n,Two,2,1,0\n,Three,3,1,0\n");
+    QByteArray csv = "id,name,x,y\n";
+    for (const QJsonValue& row : before) csv += at(row, "id").toString().toUtf8() + ",,,\n";
+    put("more.csv", csv + ",One,1,1\n,Two,2,1\n,Three,3,1\n");
     QCOMPARE(run("plan more.csv -o plan.json").code, 0);
     for (int time = 0; time < 3; ++time) {
       const Outcome applied = run("apply plan.json --json");

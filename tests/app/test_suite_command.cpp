@@ -300,7 +300,7 @@ class SuiteCommandTest : public QObject {
                   "views:\n  - {name: a, robot: map/office.yaml}\n  - {name: b, robot: \"no://x\"}\n");
     for (const Ended& ended : {runSuite(), run(words("suite list suite.yaml"))}) {
       QCOMPARE(ended.code, 2);
-      QVERIFY2(ended.err.contains(QStringLiteral("line 3, ")) && ended.err.contains(QStringLiteral("b: ")),
+      QVERIFY2(ended.err.contains(QStringLiteral("Line 3, ")) && ended.err.contains(QStringLiteral("b: ")),
                qPrintable(ended.err));
     }
     QVERIFY(!QFile::exists(program_->path("report/actual/a.png")));
