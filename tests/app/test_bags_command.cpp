@@ -48,7 +48,9 @@ class BagsCommandTest : public QObject {
   /// `output`: where its standard output goes; empty = it is read.
   Outcome run(const QString& line, const QString& robot = {}, const QString& output = {}) const {
     return {program_.runForBytes(
-        QStringList{QStringLiteral("bags")} + line.split(QLatin1Char(' ')),
+        // A ~ stands for a blank within a word.
+        QStringList{QStringLiteral("bags")} +
+            line.split(QLatin1Char(' ')).replaceInStrings(QStringLiteral("~"), QStringLiteral(" ")),
         {.environment = {{QStringLiteral("MAPWRIGHT_ROBOT"),
                           robot.isEmpty() ? QString::fromStdString(robot_->address()) : robot}},
          .output = output})};
@@ -713,6 +715,8 @@ class BagsCommandTest : public QObject {
     const Outcome made = run(QStringLiteral("record --json"));
     QCOMPARE(made.code, 0);
     const QString name = made.object()[QStringLiteral("name")].toString();
+    QString word = name;
+    word.replace(QLatin1Char(' '), QLatin1Char('~'));
     const QStringList before = names();
     QVERIFY(before.contains(name));
     simulator::Faults ignores, fails, loses;
@@ -722,14 +726,14 @@ class BagsCommandTest : public QObject {
     QCOMPARE(ignored.code, 1);
     QVERIFY2(ignored.err.contains("does not list it"), ignored.err.constData());
     robot_->setFaults(fails);
-    for (const QString& line : {QStringLiteral("record"), QStringLiteral("delete %1 --yes").arg(bag())}) {
+    for (const QString& line : {QStringLiteral("record"), QStringLiteral("delete %1 --yes").arg(word)}) {
       const Outcome unknown = run(line);
       QVERIFY2(unknown.code == 1, unknown.err.constData());
       QVERIFY2(unknown.err.contains("unknown"), unknown.err.constData());
     }
     QCOMPARE(names(), before);
     robot_->setFaults(loses);
-    QCOMPARE(run(QStringLiteral("delete %1 --yes").arg(name)).code, 0);
+    QCOMPARE(run(QStringLiteral("delete %1 --yes").arg(word)).code, 0);
     robot_->setFaults({});
     QVERIFY(!names().contains(name));
     QCOMPARE(run(QStringLiteral("delete * --yes")).code, 4);

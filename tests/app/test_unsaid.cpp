@@ -112,8 +112,10 @@ class UnsaidTest : public QObject {
     const tests::EndedBytes ended = run(line);
     look();
     const QByteArray all = ended.out + ended.err + written();
-    if (ros) QVERIFY2(mac.size() == 128, "it proves that it knows the secret");
-    QVERIFY2(!ros || !all.contains(mac), ended.err.constData());
+    // A recorder may ask for so much that the bridge has forgotten how it began.
+    if (ros && !line.startsWith(QLatin1String("record")))
+      QVERIFY2(mac.size() == 128, "it proves that it knows the secret");
+    QVERIFY2(mac.isEmpty() || !all.contains(mac), ended.err.constData());
     for (const QByteArray& form : formsOfSecret()) {
       const auto at = all.indexOf(form);
       QVERIFY2(at < 0, all.mid(std::max<qsizetype>(0, at - 200), 400).constData());
