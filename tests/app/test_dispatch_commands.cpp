@@ -323,7 +323,8 @@ class DispatchCommandsTest : public QObject {
           QStringList{text("waypoints"), text("plan"), file("wanted.csv")},
           QStringList{text("record"), text("-o"), file("a.mcap"), text("--seconds"), text("2")}}) {
       const Ran ran = ask(words);
-      QVERIFY2(ran.code == 0, ran.err.constData());
+      // What lies under the waypoints is not known without the map, which makes the answer incomplete.
+      QVERIFY2(ran.code == (words.contains(text("--warnings")) ? 1 : 0), ran.err.constData());
     }
     for (const simulator::RequestRecord& one : robot_->requestLog())
       QVERIFY2(!one.target.ends_with("/get_map") && one.target != "/map", one.target.c_str());
