@@ -21,11 +21,15 @@
 #include "recording/source.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/files/file_address.h"
+#include "robot/recorded/recorded_robot.h"
 #include "sentences/event_sentence.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/plots/messages_dock.h"
+#include "ui/plots/plots_controller.h"
+#include "ui/plots/plots_dock.h"
 #include "ui/replay/events_dock.h"
 #include "ui/replay/range_export_dialog.h"
 #include "ui/replay/record_dialog.h"
@@ -34,11 +38,13 @@
 #include "ui/replay/recordings_dock.h"
 #include "ui/replay/replay_controller.h"
 #include "ui/replay/timeline_dock.h"
+#include "ui/robot/robot_look.h"
 #include "ui/shell/replay_clock.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
+#include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
 #include "window/layout_controller.h"
 #include "window/main_window.h"
@@ -67,7 +73,7 @@ struct Desk {
           return makeRobot(to);
         },
         settings};
-    wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
+    wanted.addresses = robot::Addresses({robot::axbot::addressScheme(), robot::files::addressScheme()});
     window = std::make_unique<MainWindow>(std::move(wanted));
     window->resize(1366, 768);
     window->show();
@@ -75,6 +81,13 @@ struct Desk {
     (void)QTest::qWaitForWindowActive(window.get());
   }
   std::unique_ptr<robot::Robot> makeRobot(const QString& to = {}) {
+    if (to.endsWith(QLatin1String(".mcap"))) {
+      robot::recorded::RecordedOptions file;
+      file.path = QString(to).remove(QStringLiteral("file:"));
+      const std::string bag = robot::recorded::bagNameOf(file.path);
+      return std::make_unique<replay::ReplayRobot>(
+          std::make_unique<robot::recorded::RecordedRobot>(to, std::move(file)), bag, followedReading());
+    }
     robot::axbot::LinkOptions link;
     link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
     link.cache_folder = folder.filePath(QStringLiteral("cache"));
@@ -117,6 +130,24 @@ struct Desk {
     auto* const robot =
         isReplay() ? qobject_cast<replay::ReplayRobot*>(&window->session()->robot()) : nullptr;
     return robot && robot->at() == clock().at() && robot->knowledge() == replay::Knowledge::Exact;
+  }
+  /// What the robot sends now, until it stands in the file.
+  QString record(const char* name) {
+    RecordingController* const recorder = part<RecordingController>(*window);
+    const QString path = folder.filePath(QLatin1String(name));
+    const auto error = recorder->startInto(path);
+    if (error) qFatal("%s", qPrintable(*error));
+    for (int i = 0; i < 5; ++i) sim.advance(0.2);
+    recorder->stop();
+    const bool done = QTest::qWaitFor([&] { return recorder->shown().isEmpty(); }, 10'000);
+    if (!done) qFatal("the recording did not end");
+    return path;
+  }
+  /// The button of the toast that was shown last.
+  void takeOffer() {
+    const auto buttons = part<MapOverlay>(*window)->toasts()->findChildren<QPushButton*>();
+    QVERIFY(!buttons.isEmpty());
+    buttons.last()->click();
   }
   /// Opened, and all of the moment is known.
   void replay(const BagKey& key) {
@@ -376,6 +407,70 @@ class TestWindowReplay : public QObject {
     QVERIFY(!desk.window->windowTitle().contains(QStringLiteral("same_stamps.bag")));
     QVERIFY(!desk.timeline().isVisible());
     QCOMPARE(desk.secrets, (QList<QByteArray>{"quiet", "quiet", "quiet"}));
+  }
+
+  void aRecordingThatIsPlayedLeadsBackToWhatWasOpenBefore_data() {
+    QTest::addColumn<bool>("robot_left");
+    QTest::newRow("the robot that was recorded") << false;
+    QTest::newRow("nothing: the robot was left first") << true;
+  }
+  void aRecordingThatIsPlayedLeadsBackToWhatWasOpenBefore() {
+    QFETCH(bool, robot_left);
+    Desk desk;
+    desk.connect("quiet");
+    QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+    const QString path = desk.record("run.mcap");
+    if (robot_left) desk.action("disconnect")->trigger();
+    desk.takeOffer();
+    QTRY_VERIFY(desk.isReplay() && desk.clock().isOpen());
+    QCOMPARE(desk.timeline().backButton()->text(),
+             robot_left ? QStringLiteral("Close the replay") : QStringLiteral("Back to the robot"));
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+    QCOMPARE(desk.window->session() == nullptr, robot_left);
+    if (robot_left) return;
+    QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+    QCOMPARE(desk.window->session()->robot().address(), desk.address);
+    QCOMPARE(desk.secrets.last(), QByteArray("quiet"));
+  }
+
+  void theUsersNameOfARobotIsThereAfterAReplay() {
+    Desk desk;
+    desk.connect();
+    QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+    desk.action("robotLook")->trigger();
+    auto* const look = desk.window->findChild<RobotLookDialog*>();
+    QVERIFY(look);
+    look->findChild<QLineEdit*>()->setText(QStringLiteral("Forklift"));
+    look->accept();
+    QTRY_VERIFY(desk.window->windowTitle().contains(QStringLiteral("Forklift")));
+    desk.doubleClick(kWhole);
+    QTRY_VERIFY(desk.clock().isOpen());
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+    QTRY_VERIFY(desk.window->windowTitle().contains(QStringLiteral("Forklift")));
+  }
+
+  void aFieldIsPlottedOnWhereItsTopicWasRecorded() {
+    Desk desk;
+    desk.connect();
+    PlotsDock* const plots = part<PlotsController>(*desk.window)->dock();
+    plots->show();
+    for (const char* field : {"/tracked_pose.pos[0]", "/nowhere.a"}) {
+      plots->pathEdit()->setText(QLatin1String(field));
+      QTest::keyClick(plots->pathEdit(), Qt::Key_Return);
+      QVERIFY(plots->layout().contains(QLatin1String(field)));
+    }
+    QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+    desk.record("run.mcap");
+    desk.takeOffer();
+    QTRY_VERIFY(desk.isReplay() && desk.clock().isOpen());
+    QVERIFY(plots->layout().contains(QStringLiteral("/tracked_pose.pos[0]")));
+    QVERIFY(!plots->layout().contains(QStringLiteral("/nowhere.a")));
+    QVERIFY2(plots->saidText().contains(QStringLiteral("/nowhere.a")), qPrintable(plots->saidText()));
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+    QVERIFY(plots->layout().contains(QStringLiteral("/tracked_pose.pos[0]")));
   }
 
   void aClickGoesToItsTime() {

@@ -1,9 +1,14 @@
 #include "ui/plots/plots_controller.h"
 
+#include <set>
+#include <string>
+
 #include <QPushButton>
 
 #include "ui/kit/panels.h"
 #include "ui/plots/plots_dock.h"
+#include "ui/shell/current_session.h"
+#include "ui/view/replay_state.h"
 
 namespace mapwright::window {
 
@@ -21,6 +26,7 @@ PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QOb
   feed_->setParent(dock_);  // which shows it as long as it lives
   context.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 60, .menu_rank = 49, .open = false});
   connect(&clock, &ReplayClock::opened, this, [this] {
+    keepRecorded();
     feed_->setReading(clock_->reading());
     dock_->openBag(clock_->start(), clock_->end());
     dock_->setCurrent(clock_->at());
@@ -42,14 +48,24 @@ PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QOb
 }
 
 void PlotsController::setSession(session::Session* session) {
-  // Fields of topics mean something for the robot that has them; quantities are those of any.
-  if (session) {
+  // Fields of topics mean something for the robot that has them; quantities are those of any. Those of a
+  // replay follow when its bag is open.
+  if (session && !replayOf(session)) {
     const QString source = session->robot().address();
     if (!source_.isEmpty() && source != source_) dock_->removeFields();
     source_ = source;
   }
   feed_->setSession(session);
   dock_->sourceChanged();
+}
+
+void PlotsController::keepRecorded() {
+  const QString source = context_.current.address();
+  if (source_.isEmpty()) source_ = source;
+  if (source == source_) return;
+  std::set<std::string> recorded;
+  for (const robot::BagTopic& topic : clock_->reading()->info()->topics) recorded.insert(topic.name);
+  dock_->removeFields(recorded);
 }
 
 void PlotsController::recall(const QSettings& settings) {

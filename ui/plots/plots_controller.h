@@ -31,6 +31,9 @@ class PlotsController : public Controller {
   void rawWanted(bool wanted);
 
  private:
+  /// Of a recording of another robot: fields whose topics are in it.
+  void keepRecorded();
+
   WindowContext& context_;
   QPointer<ReplayClock> clock_;
   QString source_;  // the robot whose fields are plotted; empty = none yet

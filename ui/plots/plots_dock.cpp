@@ -189,16 +189,21 @@ void PlotsDock::removePlot(PlotWidget* plot) {
   updateControls();
 }
 
-void PlotsDock::removeFields() {
+void PlotsDock::removeFields(const std::set<std::string>& but_of) {
+  QStringList removed;
   for (PlotWidget* const plot : std::vector(plots_)) {
     std::vector<PlotCurve> curves = plot->curves();
-    const auto fields = std::remove_if(curves.begin(), curves.end(), [](const PlotCurve& curve) {
-      return std::holds_alternative<series::FieldPath>(curve.selection);
+    const auto fields = std::stable_partition(curves.begin(), curves.end(), [&](const PlotCurve& curve) {
+      const auto* const path = std::get_if<series::FieldPath>(&curve.selection);
+      return !path || but_of.contains(path->topic);
     });
     if (fields == curves.end()) continue;
+    for (auto field = fields; field != curves.end(); ++field)
+      removed << plainWords(plotName(field->selection), 100);
     curves.erase(fields, curves.end());
     curves.empty() ? removePlot(plot) : setCurves(plot, std::move(curves));
   }
+  if (!removed.isEmpty()) say(tr("No longer plotted: %1").arg(removed.join(QStringLiteral(", "))));
 }
 
 void PlotsDock::setCurves(PlotWidget* plot, std::vector<PlotCurve> curves) {

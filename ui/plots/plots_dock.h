@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <QDockWidget>
@@ -46,8 +48,8 @@ class PlotsDock : public QDockWidget {
   /// Empty, below the others; null: the maximum is reached.
   PlotWidget* addPlot();
   void removePlot(PlotWidget* plot);
-  /// Fields of topics; quantities of any robot stay.
-  void removeFields();
+  /// Fields of topics, but not of these; quantities of any robot stay. A sentence names what was removed.
+  void removeFields(const std::set<std::string>& but_of = {});
   /// False: it exists already, or the maximum is reached; a sentence explains it.
   bool addCurve(PlotWidget* plot, const PlotSelection& selection);
   void removeCurve(PlotWidget* plot, int curve);

@@ -289,26 +289,15 @@ void ReplayController::open(std::unique_ptr<robot::Robot> origin, const std::str
 
 void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
   // Shared, because the callback has to be copyable.
-  context_.unsaved.whenMayLeaveRobot(
-      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(replay))] {
-        if (!replayOf(context_.current.session())) live_address_ = context_.current.address();
-        context_.current.begin(std::move(*made));
-      });
+  context_.unsaved.whenMayLeaveRobot([this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(
+                                                replay))] { context_.current.begin(std::move(*made)); });
 }
 
 void ReplayController::back() {
   if (!replayOf(context_.current.session())) return;
-  if (live_address_.isEmpty()) {
-    context_.unsaved.whenMayLeaveRobot([this] { context_.current.leave(); });
-    return;
-  }
-  auto robot = make_robot_(live_address_);
-  if (!robot) return context_.overlay.toasts()->add(Mark::Bad, robot.error());
-  context_.unsaved.whenMayLeaveRobot(
-      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot))] {
-        context_.current.begin(std::move(*made));
-        context_.view.setFocus();
-      });
+  const QString before = context_.current.addressBefore();
+  if (!before.isEmpty()) return Q_EMIT backWanted(before);
+  context_.unsaved.whenMayLeaveRobot([this] { context_.current.leave(); });
 }
 
 void ReplayController::setSession(session::Session* session) {
@@ -428,7 +417,10 @@ void ReplayController::chooseMode() {
 }
 
 QString ReplayController::backWords() const {
-  return live_address_.isEmpty() ? tr("Close the replay") : tr("Back to the robot");
+  const QString before = context_.current.addressBefore();
+  if (before.isEmpty()) return tr("Close the replay");
+  const auto address = context_.addresses.parse(before);
+  return address && !address->path.isEmpty() ? tr("Back to the map") : tr("Back to the robot");
 }
 
 void ReplayController::refresh() {

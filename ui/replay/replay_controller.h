@@ -51,7 +51,7 @@ class ReplayController : public Controller {
   void open(std::unique_ptr<robot::Robot> origin, const robot::BagKey& key);
   /// The bag of this name, or else the recording.
   void open(std::unique_ptr<robot::Robot> origin, const std::string& name);
-  /// Ends the replay; connects to the robot that was on screen before, if there was one.
+  /// Ends the replay; goes back to the robot or map that was open before, if there was one.
   void back();
   /// Asks which part of the open bag to export.
   void exportRange();
@@ -70,6 +70,10 @@ class ReplayController : public Controller {
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
+
+ Q_SIGNALS:
+  /// The replay ends: to what was open before it.
+  void backWanted(const QString& address);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -110,7 +114,6 @@ class ReplayController : public Controller {
   QMenu* menu_ = nullptr;
   std::vector<QAction*> of_open_bag_;
   QAction *read_all_ = nullptr, *end_loop_ = nullptr, *back_ = nullptr;
-  QString live_address_;        // of the robot that was on screen before; empty = none
   bool space_pressed_ = false;  // on the map, without other input since
   bool dock_was_open_ = true;   // the timeline, before there was a bag
   bool shown_before_ = false;   // in the layout that was left

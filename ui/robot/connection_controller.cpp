@@ -205,8 +205,11 @@ std::optional<QString> ConnectionController::connectWith(const QString& address,
   auto robot = means_.connect(address, secret);
   if (!robot) return robot.error();
   if (!*robot) return tr("No robot supports this address.");
-  secret_of_ = (*robot)->address();
-  secret_ = secret;
+  // A replay leads back to the robot before it, which needs its secret again.
+  if (!(*robot)->isLocal()) {
+    secret_of_ = (*robot)->address();
+    secret_ = secret;
+  }
   // Shared, because the callback has to be copyable.
   context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), look] {
@@ -312,6 +315,14 @@ void ConnectionController::leave() {
 
 void ConnectionController::goTo(const QString& address) {
   if (const auto error = connectTo(address)) context_.overlay.toasts()->add(Mark::Bad, *error);
+}
+
+void ConnectionController::goBackTo(const QString& address) {
+  ++attempts_;
+  typed_secret_ = false;  // it was asked before whether to keep it
+  const QByteArray secret = address == secret_of_ ? secret_ : QByteArray();
+  if (const auto error = connectWith(address, secret, recents_.look(address)))
+    context_.overlay.toasts()->add(Mark::Bad, *error);
 }
 
 void ConnectionController::startWith(const QString& address) {

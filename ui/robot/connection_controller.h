@@ -50,6 +50,8 @@ class ConnectionController : public Controller {
   tl::expected<std::unique_ptr<robot::Robot>, QString> another(const QString& address) const;
   /// Errors are shown as a toast.
   void goTo(const QString& address);
+  /// The same, with the secret and the name that it had before a replay.
+  void goBackTo(const QString& address);
   /// Errors stay above the map.
   void startWith(const QString& address);
   /// Reconnects, and repeats all requests that failed.

@@ -55,6 +55,7 @@ void CurrentSession::setCalled(const QString& by_user) {
 }
 
 void CurrentSession::begin(std::unique_ptr<robot::Robot> robot) {
+  if (!session_ || !qobject_cast<replay::ReplayRobot*>(&session_->robot())) before_replay_ = address();
   leave();
   called_.clear();
   const session::Session::Options options = optionsOf(*robot, options_);

@@ -28,6 +28,8 @@ class CurrentSession : public QObject {
   /// null = none.
   session::Session* session() const { return session_.get(); }
   QString address() const;  // empty = none
+  /// Of what was open before the replay, or before the present robot; empty = none.
+  const QString& addressBefore() const { return before_replay_; }
   /// By the user's name, if there is one, else as it calls itself, else its host. Empty = none; one line of
   /// plain text.
   QString called() const;
@@ -52,7 +54,7 @@ class CurrentSession : public QObject {
   session::Session::Options options_;
   robot::Addresses addresses_;
   std::unique_ptr<session::Session> session_;
-  QString called_;
+  QString called_, before_replay_;
 };
 
 /// For PanelPlace::idle: what is open has none of these, and nothing may still bring them.

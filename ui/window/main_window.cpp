@@ -207,6 +207,7 @@ void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::picked, objects_, &ObjectsController::clickedOnMap);
   connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
+  connect(replay_, &ReplayController::backWanted, connection_, &ConnectionController::goBackTo);
   connect(layout_, &LayoutController::leaving, replay_, &ReplayController::leaveLayout);
   connect(layout_, &LayoutController::shown, replay_, &ReplayController::takeLayout);
   connect(current_, &CurrentSession::stateChanged, &actions_, [this] {
