@@ -375,7 +375,7 @@ class TestWindowKabamPicture : public QObject {
     hall.save();
     QTRY_VERIFY(!hall.control().saving());
     QVERIFY(hall.editing().unsaved());
-    QVERIFY2(hall.status().contains(QLatin1String("not confirmed")), qPrintable(hall.status()));
+    QVERIFY2(hall.status().contains(QLatin1String("Not confirmed")), qPrintable(hall.status()));
   }
 
   void aLinkLostAfterwardsIsNoDoubtOnceItIsBack() {
@@ -386,9 +386,32 @@ class TestWindowKabamPicture : public QObject {
     hall.paint(kSpot);
     hall.save();
     QTRY_VERIFY(!hall.control().saving());
+    const auto told = [&] { return hall.toasts().join(QLatin1Char('|')); };
+    QVERIFY2(!told().contains(QLatin1String("was not saved")), qPrintable(told()));
+    QVERIFY2(told().contains(QLatin1String("not known whether")), qPrintable(told()));
     // It has been made, and the map says so with the next connection.
     QTRY_VERIFY(!hall.editing().unsaved());
     QCOMPARE(hall.cell(31, 41), 100);
+    QTRY_VERIFY2(told().contains(QLatin1String("was saved: the robot has the new picture")),
+                 qPrintable(told()));
+    QVERIFY2(!told().contains(QLatin1String("not known whether")), qPrintable(told()));
+    QCOMPARE(hall.status(), QStringLiteral("No unsaved changes."));
+  }
+
+  void aLinkLostBeforeItWasStoredIsToldOnceItIsBack() {
+    simulator::Faults faults;
+    faults.ros.cut_after = {"/map_manager/update_map_image"};
+    faults.ros.picture_ignored = true;
+    Hall hall(faults);
+    hall.open();
+    hall.paint(kSpot);
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving());
+    const auto told = [&] { return hall.toasts().join(QLatin1Char('|')); };
+    QTRY_VERIFY2(told().contains(QLatin1String("was not saved: the robot has the same picture as before")),
+                 qPrintable(told()));
+    QVERIFY(hall.editing().unsaved());
+    QVERIFY2(hall.status().contains(QLatin1String("was not saved")), qPrintable(hall.status()));
   }
 };
 

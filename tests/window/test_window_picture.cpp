@@ -170,7 +170,7 @@ class TestWindowPicture : public QObject {
     desk.action("undo")->trigger();
     QCOMPARE(int(desk.cells().at(150, 100)), 0);
     QTRY_VERIFY(!desk.window->windowTitle().startsWith(QStringLiteral("• ")));
-    QCOMPARE(desk.dock().status(), QStringLiteral("Nothing was changed."));
+    QCOMPARE(desk.dock().status(), QStringLiteral("No unsaved changes."));
     desk.action("redo")->trigger();
     QCOMPARE(int(desk.cells().at(150, 100)), 100);
   }

@@ -141,6 +141,7 @@ void PictureController::setSession(session::Session* session) {
   if (session_) session_->robot().disconnect(this);
   if (session_) session_->catalogue().disconnect(this);
   closeMap();
+  doubt_.reset();
   left_map_.clear();
   session_ = session;
   wanted_map_.reset();
@@ -167,6 +168,10 @@ void PictureController::syncMap() {
   }
   const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->cells()->complete() &&
                      !slot->broken() && slot->key() == *key;
+  if (open_map_ && slot->phase() == MapSlot::Phase::Failed && doubt_)
+    reportDoubt(Mark::Warning,
+                tr("It is still not known whether %1 was saved: its picture on the robot cannot "
+                   "be loaded."));
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
     if (!open_map_) {
       left_map_.onOpened(key);
@@ -290,7 +295,7 @@ void PictureController::takeOther(const MapSlot& slot) {
     const bool latest = revision == revision_;
     const bool known = latest || past_revisions_.contains(revision);
     if (latest || !known) past_revisions_.clear();
-    if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : void();
+    if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : settleDoubt();
     editing_.takeIn(seen_, revision);
     return;
   }
@@ -300,6 +305,7 @@ void PictureController::takeOther(const MapSlot& slot) {
   saving_ = again_ = false;
   trouble_.clear();
   openMap(slot);
+  settleDoubt();
   if (lost > 0)
     context_.overlay.toasts()->add(Mark::Bad, tr("The map was replaced by one of another size or position. "
                                                  "The unsaved changes do not fit it and were discarded: %1.")
@@ -571,10 +577,42 @@ void PictureController::noteCopied(const std::optional<Fault>& trouble) {
   syncMap();
 }
 
-void PictureController::noteNotWritten(const QString& sentence) {
+void PictureController::noteNotWritten(const QString& sentence, map::Applied applied) {
   when_saved_ = nullptr;
   trouble_ = sentence;
-  context_.overlay.toasts()->add(Mark::Bad, tr("The map was not saved. %1").arg(trouble_), {}, kSaving);
+  context_.overlay.toasts()->add(
+      Mark::Bad, applied == map::Applied::No ? tr("The map was not saved. %1").arg(trouble_) : trouble_, {},
+      kSaving);
+}
+
+/// The picture on the robot was read again after it was sent with an unknown result.
+void PictureController::settleDoubt() {
+  if (!doubt_) return;
+  share_.startLong([this, doubt = *doubt_, now = editing_.saved(), opened = opened_] {
+    const auto same = [&](const picture::EditedGrid& one) {
+      return picture::sameShape(one, *now) && picture::DifferenceCount::between(one, *now).cells == 0;
+    };
+    const bool stored = same(*doubt.sent), before = !stored && same(*doubt.before);
+    QMetaObject::invokeMethod(
+        this,
+        [this, stored, before, sent = doubt.sent, opened] {
+          if (opened != opened_ || !doubt_ || doubt_->sent != sent) return;
+          stored   ? reportDoubt(Mark::Good, tr("%1 was saved: the robot has the new picture."))
+          : before ? reportDoubt(Mark::Bad, tr("%1 was not saved: the robot has the same picture as before."))
+                   : reportDoubt(Mark::Warning, tr("%1 was not saved as it was sent: the robot has another "
+                                                   "picture."));
+          if (stored) doubt_.reset();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+/// Once for each finding.
+void PictureController::reportDoubt(Mark mark, const QString& sentence) {
+  if (std::exchange(doubt_->reported, sentence) == sentence) return;
+  trouble_ = mark == Mark::Good ? QString() : sentence.arg(mapName());
+  context_.overlay.toasts()->add(mark, sentence.arg(mapName()), {}, kSaving);
+  refresh();
 }
 
 void PictureController::write() {
@@ -584,6 +622,7 @@ void PictureController::write() {
     return refresh();
   }
   const auto cells = editing_.snapshot();
+  before_ = editing_.saved();
   write_call_ = store->write({*open_map_, cells, revision_},
                              [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
                                if (opened == opened_) noteWritten(cells, outcome);
@@ -599,6 +638,7 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
                                     const robot::Outcome<robot::PictureReceipt>& outcome) {
   saving_ = false;
   dock_->setTravelled(std::nullopt);
+  const bool unknown = !outcome && outcome.error().applied == map::Applied::Maybe;
   if (outcome) {
     past_revisions_.insert(std::exchange(revision_, outcome->revision));
     Q_EMIT written();
@@ -619,17 +659,25 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
   } else if (outcome.error().kind == map::FailureKind::Cancelled &&
              outcome.error().applied == map::Applied::No) {
     when_saved_ = nullptr;
+  } else if (unknown) {
+    noteNotWritten(tr("It is not known whether %1 was saved. %2 You are told as soon as its picture on the "
+                      "robot has been read again.")
+                       .arg(mapName(), QString::fromStdString(sentences::whyOf(outcome.error()))),
+                   map::Applied::Maybe);
   } else {
-    noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())));
+    noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())), outcome.error().applied);
   }
   // Changes that arrived during the write were ignored.
   syncMap();
+  // What was read before this says nothing about it.
+  doubt_ = unknown ? std::optional(Doubt{cells, before_}) : std::nullopt;
 }
 
 void PictureController::noteMerged(qint64 taken, const std::string& revision) {
   revision_ = revision;
   trouble_.clear();
   const bool again = std::exchange(again_, false);
+  settleDoubt();
   if (editing_.conflicts() == 0) conflicts_reported_ = false;
   if (editing_.conflicts() > 0) {
     if (!std::exchange(conflicts_reported_, true) || again) askToDecide();

@@ -14,6 +14,7 @@
 
 #include "robot/picture_store.h"
 #include "ui/kit/controller.h"
+#include "ui/kit/status_text.h"
 #include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_editing.h"
 #include "ui/shell/left_map.h"
@@ -77,7 +78,9 @@ class PictureController : public Controller {
   void send();
   void write();
   void noteCopied(const std::optional<Fault>& trouble);
-  void noteNotWritten(const QString& sentence);
+  void noteNotWritten(const QString& sentence, map::Applied applied = map::Applied::No);
+  void settleDoubt();
+  void reportDoubt(Mark mark, const QString& sentence);
   QString copiesHere() const;
   void showCopies();
   QString whyNotPutBack(const PictureCopy& copy) const;
@@ -105,11 +108,18 @@ class PictureController : public Controller {
   std::optional<map::MapKey> wanted_map_;  // requested by the tool
   robot::Call write_call_;
   bool forgetting_reported_ = false;
-  std::shared_ptr<const grids::GridPyramid> seen_;  // of the last map received
-  std::string revision_;                            // of what is saved
-  std::set<std::string> past_revisions_;            // replaced by saving here; may still be on their way
-  bool shown_ = false;                              // the edited cells are drawn
-  bool saving_ = false, again_ = false;             // again: saves once more after merging theirs
+  /// A picture was sent, and it is not known whether the robot stored it.
+  struct Doubt {
+    std::shared_ptr<const picture::EditedGrid> sent, before;
+    QString reported = {};  // what was found
+  };
+  std::optional<Doubt> doubt_;
+  std::shared_ptr<const picture::EditedGrid> before_;  // on the robot when it was sent last
+  std::shared_ptr<const grids::GridPyramid> seen_;     // of the last map received
+  std::string revision_;                               // of what is saved
+  std::set<std::string> past_revisions_;               // replaced by saving here; may still be on their way
+  bool shown_ = false;                                 // the edited cells are drawn
+  bool saving_ = false, again_ = false;                // again: saves once more after merging theirs
   bool was_unsaved_ = false;
   bool conflicts_reported_ = false;  // only once, however often others paint there
   std::unique_ptr<MapDrafts> drafts_;

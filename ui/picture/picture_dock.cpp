@@ -332,7 +332,7 @@ QString PictureDock::statusText() const {
   if (saving_ && *travelled_ < 100) return tr("Sending: %1 %").arg(*travelled_);
   if (saving_) return tr("Sent. Waiting for the robot to show it…");
   const std::int64_t cells = editing_->changedCells();
-  return cells == 0 ? tr("Nothing was changed.") : tr("Changed: %1.").arg(cellsText(cells));
+  return cells == 0 ? tr("No unsaved changes.") : tr("Changed: %1.").arg(cellsText(cells));
 }
 
 /// "12 specks, 48 cells would change."
