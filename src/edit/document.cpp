@@ -247,9 +247,14 @@ void WaypointDocument::noteUnsaved(const Key& key) {
 void WaypointDocument::exchange(const std::vector<Change>& changes, bool forth) {
   DocumentChange told;
   told.fields = 0;
+  bool left_out = false;
   for (const Change& change : changes) {
     const Item &from = forth ? change.before : change.after, &into = forth ? change.after : change.before;
     Item now = mine(change.key);
+    if (!forth && now && !into && !removal_ && findKept(change.key)) {
+      left_out = true;
+      continue;
+    }
     if (from && into) {
       if (!now) continue;  // it no longer exists: there is nothing to revert
       const FieldMask fields = difference(*from, *into);
@@ -273,6 +278,7 @@ void WaypointDocument::exchange(const std::vector<Change>& changes, bool forth) 
     }
   }
   Q_EMIT changed(told);
+  if (left_out) Q_EMIT removalLeftOut();
 }
 
 Items WaypointDocument::underOurKeys(const Items& stored) {

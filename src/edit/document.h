@@ -41,6 +41,9 @@ class WaypointDocument : public QObject {
   using Fit = std::function<void(map::Waypoint&, const map::Waypoint*)>;
   void setFit(Fit fit) { fit_ = std::move(fit); }
 
+  /// Of a store that cannot delete: undoing the addition of what is stored by now leaves it there.
+  void setRemoval(bool removal) { removal_ = removal; }
+
   /// Starts over with the stored items; nothing can be undone.
   void reset(Items stored);
 
@@ -95,8 +98,10 @@ class WaypointDocument : public QObject {
   void rebase(const std::vector<Change>& older, const QString& text);
 
  Q_SIGNALS:
-  /// The only signal: covers items, their states, and the state of the whole.
+  /// Covers items, their states, and the state of the whole.
   void changed(const mapwright::edit::DocumentChange& change);
+  /// An undo would have deleted what the store cannot: it is still there.
+  void removalLeftOut();
 
  private:
   class Command;
@@ -110,6 +115,7 @@ class WaypointDocument : public QObject {
 
   Items base_, items_;
   Fit fit_;
+  bool removal_ = true;
   std::set<Key> unsaved_;
   std::unordered_map<Key, std::uint64_t> since_;  // since when each of unsaved_ has been unsaved
   std::uint64_t last_change_ = 0;

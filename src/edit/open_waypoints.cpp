@@ -26,6 +26,7 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
       identity_{address, QString::fromStdString(map::toText(map_)), QStringLiteral("waypoints")},
       submission_(store, map_, listener()),
       looking_(options_.workers) {
+  document_.setRemoval(keeps_.removal);
   document_.setFit([this](map::Waypoint& point, const map::Waypoint* kept) { fit(point, keeps_, kept); });
   if (!options_.drafts_folder.isEmpty()) {
     keeper_ = std::make_unique<DraftKeeper>(

@@ -538,6 +538,7 @@ class TestWindowWaypoints : public QObject {
                  QLatin1String("Here: position 1.500, 1.000 m. Elsewhere: position 0.500, 0.500 m.")),
              qPrintable(desk.dock().conflicts()->shown()));
     QVERIFY(desk.notice()->isVisible());
+    QVERIFY(desk.dock().conflicts()->bothButton()->isVisibleTo(&desk.dock()));
     desk.editing().add({3, 1});
     desk.dock().conflicts()->theirsButton()->click();
     QVERIFY(desk.dock().saveButton()->isEnabled() && desk.action("save")->isEnabled());
@@ -736,6 +737,49 @@ class TestWindowWaypoints : public QObject {
     desk.editing().make({desk.editing().document()->to("b", std::nullopt)}, QStringLiteral("delete"));
     QVERIFY2(desk.dock().statusShown().contains(QLatin1String("cannot be deleted")),
              qPrintable(desk.dock().statusShown()));
+  }
+
+  void whatIsStoredWhereNoneCanBeDeletedIsNotUndone() {
+    Desk desk;
+    desk.store.kept_fields.removal = false;
+    desk.start();
+    desk.editing().add({2, 2});
+    desk.undo().undo();  // not stored yet
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    desk.undo().redo();
+    desk.action("save")->trigger();
+    QTRY_VERIFY(!desk.control().unsaved());
+    desk.action("undo")->trigger();
+    QCOMPARE(desk.items().size(), std::size_t(3));
+    QVERIFY(!desk.control().unsaved());
+    QVERIFY2(desk.toasts().join(QLatin1Char(' ')).contains(QLatin1String("it was not undone")),
+             qPrintable(desk.toasts().join(QLatin1Char(' '))));
+  }
+
+  void aWaypointIsRenamedAndDeletedFromTheMenuOfTheMap() {
+    Desk desk;
+    desk.start();
+    std::unique_ptr<QMenu> menu;
+    const auto actionAt = [&](const char* begins, double x, double y) -> QAction* {
+      menu = std::make_unique<QMenu>();
+      window::fillMapMenu(*menu, desk.window->actionList(), {x, y});
+      for (QAction* const action : menu->actions()) {
+        if (action->text().startsWith(QLatin1String(begins))) return action;
+      }
+      return nullptr;
+    };
+    QVERIFY(!actionAt("&Delete", 2, 0.5));
+    QAction* const rename = actionAt("Re&name Dock", 1, 1);
+    QVERIFY(rename);
+    rename->trigger();
+    auto* const field = desk.window->view()->findChild<NameEditor*>();
+    QVERIFY(field && field->isOpen());
+    QTest::keyClick(field, Qt::Key_Escape);
+    QAction* const remove = actionAt("&Delete Kitchen", 3, 2);
+    QVERIFY(remove && remove->isEnabled());
+    remove->trigger();
+    QVERIFY(!desk.editing().find("b") && desk.editing().find("a"));
+    menu.reset();
   }
 
   void movesThatComeBackOnTheirPixelAreNone() {

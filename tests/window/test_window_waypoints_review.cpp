@@ -77,6 +77,16 @@ class TestWindowWaypointsReview : public QObject {
     QVERIFY(!desk.review().isModal());
   }
 
+  void aNewOneThatCannotBeDeletedLaterSaysSo() {
+    Desk desk;
+    desk.store.kept_fields.removal = false;
+    desk.start();
+    desk.bringUp();
+    desk.editing().add({2, 1});
+    desk.open();
+    QCOMPARE(desk.outcome(0), QStringLiteral("cannot be deleted later"));
+  }
+
   void whatCouldNotBeLookedUpStandsThereStill() {
     Desk desk;
     desk.change();

@@ -96,8 +96,8 @@ void CopiesDialog::list(std::vector<PictureCopy> copies) {
                        : tr("unreadable");
     const std::array<QString, 4> texts{
         copy.made.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-        plainWords(copy.map.toStdString(), kLongestName), plainWords(copy.robot.toStdString(), kLongestName),
-        size};
+        plainWords(copy.map.toStdString(), kLongestName),
+        plainWords((copy.called.isEmpty() ? copy.robot : copy.called).toStdString(), kLongestName), size};
     for (int column = 0; column < int(texts.size()); ++column) {
       auto* const item = new QTableWidgetItem(texts[std::size_t(column)]);
       item->setToolTip(plainToolTip(item->text()));

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QUrl>
 
+#include "jobs/export_map.h"
 #include "map/waypoint.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
@@ -494,8 +495,15 @@ void PictureController::showCopies() {
     auto found = std::make_shared<std::vector<PictureCopy>>(copiesKept(folder));
     QMetaObject::invokeMethod(
         this,
-        [dialog, found] {
-          if (dialog) dialog->list(std::move(*found));
+        [this, dialog, found] {
+          if (!dialog) return;
+          for (const auto& [address, called] : named_ ? named_() : Named()) {
+            const QString folder = jobs::fileNameFrom(address);
+            for (PictureCopy& copy : *found) {
+              if (copy.robot == folder) copy.called = called;
+            }
+          }
+          dialog->list(std::move(*found));
         },
         Qt::QueuedConnection);
   });

@@ -49,6 +49,9 @@ class PictureController : public Controller {
   QMessageBox* sendingQuestion() const { return sending_question_; }
   CopiesDialog* copiesDialog() const;  // null: none is open
   bool saving() const { return saving_; }
+  /// Addresses of robots, and what these are called.
+  using Named = std::vector<std::pair<QString, QString>>;
+  void setNamed(std::function<Named()> named) { named_ = std::move(named); }
 
  Q_SIGNALS:
   /// Compare the saved map with the edited one.
@@ -129,6 +132,7 @@ class PictureController : public Controller {
   QString copy_;            // of the robot's picture; empty: none
   QPointer<QMessageBox> question_, sending_question_;
   QPointer<CopiesDialog> copies_;
+  std::function<Named()> named_;
   std::shared_ptr<std::atomic<bool>> stop_reading_;  // the copy that is to be put back
   std::function<void()> when_left_, when_saved_, when_reverted_;
   /// Whether all cells of a map can be written is checked before painting starts.

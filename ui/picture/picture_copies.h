@@ -38,6 +38,7 @@ struct PictureCopy {
   QString path;        // of its map.yaml
   QString robot, map;  // as in the names of its folders
   QDateTime made;
+  QString called = {};        // the robot; empty: it is not known
   int width = 0, height = 0;  // cells; 0: unreadable
   qint64 bytes = 0;
 

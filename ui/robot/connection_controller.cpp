@@ -225,6 +225,13 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> ConnectionController::anoth
   return robot;
 }
 
+std::vector<std::pair<QString, QString>> ConnectionController::named() const {
+  std::vector<std::pair<QString, QString>> named;
+  for (const RecentRobot& robot : recents_.list())
+    named.emplace_back(robot.address, wordsOf(robot, recents_.addresses()).title);
+  return named;
+}
+
 void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const RobotLook& look) {
   unproven_ = robot->address();
   look_ = look;

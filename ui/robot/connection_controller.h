@@ -48,6 +48,8 @@ class ConnectionController : public Controller {
   /// A robot with this address, not yet connected, with the last secret typed for it. The error is a
   /// sentence.
   tl::expected<std::unique_ptr<robot::Robot>, QString> another(const QString& address) const;
+  /// Addresses of recent robots, and what these are called.
+  std::vector<std::pair<QString, QString>> named() const;
   /// Errors are shown as a toast.
   void goTo(const QString& address);
   /// The same, with the secret and the name that it had before a replay.

@@ -10,6 +10,7 @@
 #include "placing/arrange.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/wrapping_row.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_text.h"
 
@@ -86,6 +87,8 @@ ConflictBox::ConflictBox(QWidget* parent)
                           tr("Keep the change made here: the filled triangle on the map"))),
       theirs_(compactButton(tr("Take theirs"), this,
                             tr("Keep the change made elsewhere: the hollow triangle on the map"))),
+      both_(compactButton(tr("Keep both"), this,
+                          tr("Keep theirs, and mine as another waypoint with a name of its own"))),
       locate_(compactButton(tr("Show"), this, tr("Show both on the map"))),
       previous_(compactButton(QString(QChar(0x2039)), this, tr("Previous conflict"))),
       next_(compactButton(QString(QChar(0x203a)), this, tr("Next conflict"))) {
@@ -94,10 +97,15 @@ ConflictBox::ConflictBox(QWidget* parent)
     button->setAccessibleName(button->toolTip());
     button->setMaximumWidth(28);
   }
-  setLayout(columnOf({text_, rowOf({mine_, theirs_, locate_, LayoutItem::rest(), previous_, next_}, 6)}, 4,
-                     QMargins(8, 6, 8, 6)));
-  connect(mine_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, true); });
-  connect(theirs_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, false); });
+  auto* const choices = new WrappingRow(QMargins());
+  for (QPushButton* const button : {mine_, theirs_, both_, locate_, previous_, next_}) choices->add(button);
+  setLayout(columnOf({text_, choices}, 4, QMargins(8, 6, 8, 6)));
+  const auto decides = [this](QPushButton* button, ConflictChoice choice) {
+    connect(button, &QPushButton::clicked, this, [this, choice] { Q_EMIT decided(current_, choice); });
+  };
+  decides(mine_, ConflictChoice::Mine);
+  decides(theirs_, ConflictChoice::Theirs);
+  decides(both_, ConflictChoice::Both);
   connect(locate_, &QPushButton::clicked, this, [this] { Q_EMIT locateWanted(current_); });
   connect(previous_, &QPushButton::clicked, this, [this] { step(-1); });
   connect(next_, &QPushButton::clicked, this, [this] { step(1); });
@@ -141,6 +149,7 @@ void ConflictBox::show(const edit::WaypointDocument& document) {
                             : tr("%1 was changed here and elsewhere (%2 of %3).")
                                   .arg(which, QString::number(at), QString::number(count));
   text_->setText(text + QLatin1Char('\n') + conflictText(conflict));
+  both_->setVisible(conflict.mine && conflict.theirs);
   previous_->setVisible(count > 1);
   next_->setVisible(count > 1);
 }

@@ -44,12 +44,13 @@ class ConflictBox : public QFrame {
 
   QPushButton* mineButton() const { return mine_; }
   QPushButton* theirsButton() const { return theirs_; }
+  QPushButton* bothButton() const { return both_; }
   QPushButton* locateButton() const { return locate_; }
   QPushButton* nextButton() const { return next_; }
   QString shown() const;  // empty = nothing
 
  Q_SIGNALS:
-  void decided(const std::string& key, bool mine);
+  void decided(const std::string& key, mapwright::window::ConflictChoice choice);
   void locateWanted(const std::string& key);
 
  private:
@@ -57,7 +58,7 @@ class ConflictBox : public QFrame {
   void show(const edit::WaypointDocument& document);
 
   QLabel* text_;
-  QPushButton *mine_, *theirs_, *locate_, *previous_, *next_;
+  QPushButton *mine_, *theirs_, *both_, *locate_, *previous_, *next_;
   std::vector<edit::Key> keys_;
   edit::Key current_;
   const edit::WaypointDocument* document_ = nullptr;

@@ -30,7 +30,13 @@ void WaypointEditing::setDocument(edit::WaypointDocument* document, const QStrin
   selected_.clear();
   since_.clear();
   preview_.clear();
-  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::takeChange);
+  if (document_) {
+    connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::takeChange);
+    connect(document_, &edit::WaypointDocument::removalLeftOut, this, [this] {
+      Q_EMIT removalRefused(
+          tr("It is stored on the robot, so it was not undone. %1").arg(exchange::whyNotRemoved(keeps_)));
+    });
+  }
   Q_EMIT opened();
   Q_EMIT selectionChanged();
 }

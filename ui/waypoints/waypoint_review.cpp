@@ -142,6 +142,8 @@ ReviewModel::Outcome ReviewModel::plannedOutcome(int row) const {
         one.after ? exchange::whyNotKept(one.before, *one.after) : exchange::whyNotRemoved(list_->keeps());
     if (!one.after && !why.isEmpty()) return {Mark::Bad, tr("will be refused. %1").arg(why)};
     if (!why.isEmpty()) return {Mark::Warning, tr("may be refused. %1").arg(why)};
+    if (!one.before && !list_->keeps().removal)
+      return {Mark::Warning, tr("cannot be deleted later"), exchange::whyNotRemoved(list_->keeps())};
   }
   return {};
 }

@@ -1,5 +1,6 @@
 #include "ui/waypoints/waypoints_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QMenu>
@@ -89,9 +90,8 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(dock_, &WaypointsDock::locateWanted, this, [this](const edit::Key& key) {
     if (const map::Waypoint* const point = editing_.find(key)) context_.view.lookAt(point->position_m);
   });
-  connect(dock_, &WaypointsDock::decided, this, [this](const edit::Key& key, bool mine) {
-    decideConflict(editing_, key, mine ? ConflictChoice::Mine : ConflictChoice::Theirs);
-  });
+  connect(dock_, &WaypointsDock::decided, this,
+          [this](const edit::Key& key, ConflictChoice choice) { decideConflict(editing_, key, choice); });
   NoticeBar* const notice = context_.overlay.editNotice();
   connect(notice, &NoticeBar::offerTaken, this, &WaypointsController::takeOffer);
   connect(notice, &NoticeBar::secondTaken, this, [this] {
@@ -132,6 +132,7 @@ void WaypointsController::addActions() {
                            [this, key](ConflictChoice choice) { decideConflict(editing_, *key, choice); });
           menu.addSeparator();
         }
+        addToMenu(menu, world_m);
         menu.addAction(themedIcon(QStringLiteral("waypoint")), tr("Add &waypoint here"), this,
                        [this, world_m] { addAt(world_m); });
       });
@@ -141,6 +142,26 @@ void WaypointsController::addActions() {
                                          .tip = tr("Restore the waypoints as last saved"),
                                          .menu = {MenuGroup::Waypoints, 20}},
                                         this, &WaypointsController::revertAll);
+}
+
+/// What can be done with the waypoint there, if there is one.
+void WaypointsController::addToMenu(QMenu& menu, const Eigen::Vector2d& world_m) {
+  const std::vector<Hit> hits = context_.hits.at(world_m, MapTool::kReachPx);
+  const auto hit = std::find_if(hits.begin(), hits.end(), [this](const Hit& one) {
+    return one.layer == scene::Layer::Waypoints && editing_.find(one.key);
+  });
+  if (hit == hits.end()) return;
+  // An ampersand in a name is no mnemonic.
+  const QString name =
+      shortWaypointName(*editing_.find(hit->key)).replace(QLatin1Char('&'), QLatin1String("&&"));
+  editing_.select({hit->key});
+  menu.addAction(tr("Re&name %1…").arg(name), this, [this, key = hit->key] { askName(key, 0); });
+  const QString stays = editing_.whyNotRemoved();
+  menu.setToolTipsVisible(true);
+  allow(menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete %1").arg(name), &editing_,
+                       &WaypointEditing::removeSelected),
+        stays.isEmpty(), stays);
+  menu.addSeparator();
 }
 
 void WaypointsController::setSession(session::Session* session) {

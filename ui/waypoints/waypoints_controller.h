@@ -16,6 +16,8 @@
 #include "ui/shell/window_context.h"
 #include "ui/waypoints/waypoint_editing.h"
 
+class QMenu;
+
 namespace mapwright::window {
 
 class NameEditor;
@@ -70,6 +72,7 @@ class WaypointsController : public Controller {
   QString decideText() const;  // empty: there is nothing to decide
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
+  void addToMenu(QMenu& menu, const Eigen::Vector2d& world_m);
   void followNamed();  // it has moved, on the screen or on the map
   void noteSaving();
   void noteLink();

@@ -21,6 +21,7 @@ class OpenWaypoints;
 namespace mapwright::window {
 
 class ConflictBox;
+enum class ConflictChoice;
 class GroupForm;
 class WaypointFilter;
 class WaypointForm;
@@ -69,7 +70,7 @@ class WaypointsDock : public QDockWidget {
   void retryWanted();
   void nextWarningWanted();
   void locateWanted(const std::string& key);
-  void decided(const std::string& key, bool mine);
+  void decided(const std::string& key, mapwright::window::ConflictChoice choice);
   void copyWanted();
   void pasteWanted();
 

@@ -223,6 +223,7 @@ void MainWindow::connectControllers() {
   connect(picture_, &PictureController::compareWanted, compare_, &CompareController::compareWithSaved);
   connect(picture_, &PictureController::written, maps_, &MapsController::expectOwnChange);
   connect(overlays_, &OverlaysController::fileWritten, maps_, &MapsController::expectOwnChange);
+  picture_->setNamed([this] { return connection_->named(); });
   connect(picture_, &PictureController::fileWanted, files_, &FilesController::open);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
