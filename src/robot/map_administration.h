@@ -56,6 +56,7 @@ enum class Obstacle {
   IsLoaded,
   EndsBySaving,  // it ends a mapping by saving it, or by discarding it
   NotKnownYet,   // the present state of the robot is unknown
+  NothingToSave,
 };
 
 /// Capability: rename, archive or switch stored maps. Nothing is sent twice: if the failure's applied is
@@ -68,6 +69,8 @@ class MapAdministration {
   virtual std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const = 0;
   /// What the robot's map manager calls its present state; empty: it does not say. Untrusted plain text.
   virtual std::string managerState() const { return {}; }
+  /// Save stores the finished mapping that the catalogue lists.
+  virtual bool savesListed() const { return false; }
   /// Load needs to know where the robot stands.
   virtual bool loadAsksForPlace() const { return false; }
   /// The answer is the map as the robot reports it afterwards, including its name; for Delete the former

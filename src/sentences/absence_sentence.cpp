@@ -196,6 +196,8 @@ QString whyNotNow(MapChange change, Obstacle obstacle) {
       return ObstacleText::tr("This robot ends a mapping by saving the map, or by discarding it.");
     case Obstacle::NotKnownYet:
       return ObstacleText::tr("The robot has not reported its state yet.");
+    case Obstacle::NothingToSave:
+      return ObstacleText::tr("There is no new map to save.");
   }
   return notOffered(change);
 }

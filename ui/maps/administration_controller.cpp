@@ -421,10 +421,21 @@ void AdministrationController::setSession(session::Session* session) {
   refresh();
 }
 
+/// True also while it is not known.
+bool AdministrationController::anyFinishedMapping() const {
+  const session::Catalogue& catalogue = context_.current.session()->catalogue();
+  const auto& entries = catalogue.entries();
+  return !catalogue.asOf() || std::any_of(entries.begin(), entries.end(), [](const auto& entry) {
+    return entry.key.kind == map::MapKind::Mapping && entry.state == "finished";
+  });
+}
+
 void AdministrationController::refresh() {
   const robot::MapAdministration* const robots = maps();
   for (const Row& row : mapping_) {
-    const auto obstacle = robots ? robots->obstacle(row.change, nullptr) : Obstacle::NotOffered;
+    auto obstacle = robots ? robots->obstacle(row.change, nullptr) : Obstacle::NotOffered;
+    if (!obstacle && row.change == MapChange::Save && robots->savesListed() && !anyFinishedMapping())
+      obstacle = Obstacle::NothingToSave;
     row.action->setVisible(obstacle != Obstacle::NotOffered);
     const bool over = ended_ && row.change == MapChange::Save;
     const QString why = obstacle                    ? sentences::whyNotNow(row.change, *obstacle)
@@ -633,6 +644,23 @@ void AdministrationController::showQuestion(MapChange change, const map::Catalog
           });
   if (places) askForPlaces(map->key);
   dialog_->open();
+}
+
+/// Of the map that was saved.
+ToastOffer AdministrationController::offerToLoad(const map::CatalogueEntry& map) {
+  const robot::MapAdministration* const robots = maps();
+  if (!robots || map.key.id.empty()) return {};
+  const auto obstacle = robots->obstacle(MapChange::Load, &map);
+  const bool ends = robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving;
+  if (obstacle && !(ends && obstacle == Obstacle::WhileMapping)) return {};
+  return {tr("Load it now…"), [this, key = map.key] {
+            session::Session* const session = context_.current.session();
+            const map::CatalogueEntry* const entry = session ? session->catalogue().find(key) : nullptr;
+            const robot::MapAdministration* const now = maps();
+            const auto why = entry && now ? now->obstacle(MapChange::Load, entry) : Obstacle::NotOfThisMap;
+            why ? context_.overlay.toasts()->add(Mark::Bad, sentences::whyNotNow(MapChange::Load, *why))
+                : ask(MapChange::Load, entry);
+          }};
 }
 
 void AdministrationController::askForPlaces(const map::MapKey& key) {

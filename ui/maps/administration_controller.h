@@ -112,6 +112,7 @@ class AdministrationController : public Controller {
   QString unconfirmed() const;
   QString withUnconfirmed(const QString& tip) const;
   void askForPlaces(const map::MapKey& key);
+  bool anyFinishedMapping() const;
   void refresh();
   void showMapping();
   void noteMapping();

@@ -41,6 +41,7 @@ class Administration : public MapAdministration {
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
   bool tellsProgress() const override { return true; }
+  bool savesListed() const override { return true; }
   Call progress(OutcomeTo<std::optional<MappingProgress>> reply) override;
 
  private:

@@ -90,6 +90,8 @@ std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
     if (state_.empty()) return Obstacle::NotKnownYet;
     if (change == MapChange::StartMapping && mapping) return Obstacle::WhileMapping;
     if (change == MapChange::StopMapping && !mapping) return Obstacle::NotMapping;
+    // It works with a map. Without one there may be a mapping from before that is not saved.
+    if (change == MapChange::Save && !mapped_ && state_ == "ACTIVE") return Obstacle::NothingToSave;
     return std::nullopt;
   }
   if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;

@@ -58,7 +58,10 @@ class KabamAdministration : public MapAdministration {
   KabamAdministration(RosLink* link, std::function<void()> changed)
       : kabam_(link, &RosLink::kabam), changed_(std::move(changed)) {}
   /// What the manager does now (IDLE, MAPPING, ACTIVE); empty = it has not said.
-  void setState(std::string state) { state_ = std::move(state); }
+  void setState(std::string state) {
+    state_ = std::move(state);
+    mapped_ = mapped_ || state_ == "MAPPING";
+  }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   std::string managerState() const override { return state_; }
   bool loadAsksForPlace() const override { return true; }
@@ -68,6 +71,7 @@ class KabamAdministration : public MapAdministration {
   wire::LinkRef<KabamRequests> kabam_;
   std::function<void()> changed_;
   std::string state_;
+  bool mapped_ = false;  // since this robot was opened
 };
 
 /// The picture of the map that the robot works with, replaced: it is the only one that is sent. An image goes
