@@ -84,7 +84,7 @@ void MapSlot::show(map::WholeMap map) {
   }
   cancel();
   key_ = map.key;
-  if (!map.name.empty() || key_.kind != map::MapKind::Live) name_ = QString::fromStdString(map.name);
+  name_ = QString::fromStdString(map.name);
   source_ = std::move(map);
   start();
 }

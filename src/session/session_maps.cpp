@@ -13,6 +13,7 @@
 #include "sentences/absence_sentence.h"
 #include "session/faults.h"
 #include "session/lacks_picture.h"
+#include "session/makes_new_map.h"
 #include "session/session.h"
 
 namespace mapwright::session {
@@ -21,10 +22,11 @@ namespace {
 constexpr double kOverviewCells = 4e6;
 constexpr double kFinestOverviewM = 0.1, kCoarsestOverviewM = 5;
 
-map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& live) {
+map::WholeMap liveMap(const map::GridMessage& message, Session& session) {
   map::WholeMap map;
   map.key = {map::MapKind::Live, {}};
-  if (live.map_info) map.name = live.map_info->name;
+  const auto& info = session.live().map_info;
+  if (info && !makesNewMap(session.robot(), session.live(), session.submaps())) map.name = info->name;
   map.grid = message.grid;
   map.reading = message.reading;
   map.bytes = message.png;
@@ -115,11 +117,10 @@ void Session::wireMaps() {
     const auto grid = live_.grids.find(map::GridKind::WholeMap);
     if (what != map::topicIndex<map::MapInfo>() || still_ || !live_.map_info || grid == live_.grids.end())
       return;
-    const QString name = QString::fromStdString(live_.map_info->name);
+    map::WholeMap map = liveMap(grid->second, *this);
     for (MapSlot* slot : {&whole_map_, &compared_map_}) {
-      const bool live =
-          slot->phase() != MapSlot::Phase::Empty && slot->key() == map::MapKey{map::MapKind::Live, {}};
-      if (live && !name.isEmpty() && slot->name() != name) slot->show(liveMap(grid->second, live_));
+      const bool live = slot->phase() != MapSlot::Phase::Empty && slot->key() == map.key;
+      if (live && slot->name().toStdString() != map.name) slot->show(map);
     }
   });
   connect(this, &Session::rowsChanged, this, [this] {
@@ -198,7 +199,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     if (grid == live_.grids.end()) {
       slot.expect(key, {});
     } else {
-      slot.show(liveMap(grid->second, live_));
+      slot.show(liveMap(grid->second, *this));
     }
     return;
   }
@@ -246,6 +247,7 @@ std::optional<map::MapKey> Session::placesOf(const MapSlot& slot) const {
 std::optional<map::MapKey> Session::placesOfLiveMap() const {
   const map::CatalogueEntry* const current = catalogue_.current();
   if (!robot_->waypointSource() || !current || current->key.kind == map::MapKind::Live) return std::nullopt;
+  if (makesNewMap(*robot_, live_, submaps())) return std::nullopt;
   return current->key;
 }
 
@@ -329,7 +331,7 @@ void Session::takeGrid(const map::GridMessage& message, bool repeated) {
   const map::MapKey live{map::MapKind::Live, {}};
   const auto showIn = [&](MapSlot& slot) {
     const bool shown = slot.key() == live && slot.phase() == MapSlot::Phase::Ready && !slot.broken();
-    if (!repeated || !shown) slot.show(liveMap(message, live_));
+    if (!repeated || !shown) slot.show(liveMap(message, *this));
   };
   if (live_wanted_) showIn(whole_map_);
   followLivePlaces();

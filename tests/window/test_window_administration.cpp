@@ -48,19 +48,28 @@ class FakeAdministration : public robot::MapAdministration {
     reply(outcome);
   }
 
+  /// It makes new maps only.
+  void startMapping() {
+    obstacles = {{MapChange::StartMapping, Obstacle::WhileMapping},
+                 {MapChange::ContinueMapping, Obstacle::NotOffered}};
+  }
+
   std::map<MapChange, Obstacle> obstacles;
-  bool asks_place = false;
+  bool savesListed() const override { return saves_listed; }
+
+  bool asks_place = false, saves_listed = false;
   int cancelled = 0;
   std::vector<robot::MapOrder> orders;
   std::vector<robot::OutcomeTo<map::CatalogueEntry>> replies;
 };
 
 struct Desk {
-  explicit Desk(bool unconfirmed = false) {
+  explicit Desk(bool unconfirmed = false, bool sends_map = false) {
     bench.offerMaps();
-    bench.prepare = [this, unconfirmed, offer = bench.prepare](test::FakeRobot& robot) {
+    bench.prepare = [this, unconfirmed, sends_map, offer = bench.prepare](test::FakeRobot& robot) {
       offer(robot);
       robot.unconfirmed = unconfirmed;
+      robot.has_live = sends_map;
       robot.administration = &maps;
       robot.told_waypoints = &points;
     };
@@ -427,6 +436,99 @@ class TestWindowAdministration : public QObject {
     desk.maps.answer(map::CatalogueEntry{});
     QTRY_VERIFY(!desk.controller().dialog());
     QVERIFY(!save->isEnabled() && save->toolTip().contains(QLatin1String("discarded")));
+  }
+
+  void whileTheRobotMakesANewMapNothingIsSaidToBeTheOneThatItLeft() {
+    Desk desk(false, true);
+    const session::MapSlot& slot = desk.bench.window->session()->wholeMap();
+    desk.bench.action("modeWhole")->trigger();
+    desk.bench.window->session()->openMap({map::MapKind::Stored, "1"});
+    QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
+    const auto title = [&] { return desk.bench.window->windowTitle(); };
+    QVERIFY2(title().contains(QLatin1String("Map 1")), qPrintable(title()));
+    desk.bench.robot->say(map::MapInfo{.name = "Ground floor"});
+    desk.maps.startMapping();
+    Q_EMIT desk.bench.robot->mapsChanged();
+    // The map that grows is on screen, and the robot in it.
+    QTRY_COMPARE(slot.key().kind, map::MapKind::Live);
+    map::GridMessage grown;
+    grown.kind = map::GridKind::WholeMap;
+    const map::WholeMap picture = test::wholeMap({map::MapKind::Live, {}}, {}, 40, 30);
+    grown.grid = picture.grid;
+    grown.png = picture.bytes;
+    grown.fingerprint = "1";
+    desk.bench.robot->say(grown);
+    QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
+    QVERIFY2(!title().contains(QLatin1String("Ground floor")), qPrintable(title()));
+    QVERIFY(title().contains(QLatin1String("live map")));
+    QVERIFY(!desk.bench.window->session()->placesOf(slot));  // its waypoints are those of another map
+    QCOMPARE(desk.bench.window->mapScene()->robotPlace().drawn, scene::ScreenPart::All);
+    desk.bench.window->session()->openMap({map::MapKind::Stored, "1"});
+    QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
+    QCOMPARE(desk.bench.window->mapScene()->robotPlace().drawn, scene::ScreenPart::None);
+    // It names the map again once the robot uses one.
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
+    Q_EMIT desk.bench.robot->mapsChanged();
+    desk.bench.window->session()->openMap({map::MapKind::Live, {}});
+    QTRY_VERIFY2(title().contains(QLatin1String("Ground floor")), qPrintable(title()));
+  }
+
+  void aMapThatIsLookedAtStaysOnScreenWhileTheRobotMaps() {
+    Desk desk(false, true);
+    const session::MapSlot& slot = desk.bench.window->session()->wholeMap();
+    desk.bench.window->session()->openMap({map::MapKind::Stored, "2"});  // the robot is in 1
+    QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
+    desk.maps.startMapping();
+    Q_EMIT desk.bench.robot->mapsChanged();
+    QTRY_VERIFY(desk.controller().mappingDock()->said().startsWith(QLatin1String("The robot is mapping.")));
+    QCOMPARE(slot.key(), (map::MapKey{map::MapKind::Stored, "2"}));
+  }
+
+  void withoutAFinishedMappingNothingCanBeSaved() {
+    Desk desk;
+    desk.maps.saves_listed = true;
+    desk.bench.robot->maps.entries[2].state = "running";
+    Q_EMIT desk.bench.robot->mapsChanged();
+    QAction* const save = desk.bench.action("saveNewMap");
+    QTRY_VERIFY(!save->isEnabled());
+    QVERIFY2(save->toolTip().contains(QLatin1String("no new map")), qPrintable(save->toolTip()));
+    desk.bench.robot->maps.entries[2].state = "finished";
+    Q_EMIT desk.bench.robot->mapsChanged();
+    QTRY_VERIFY(save->isEnabled());
+  }
+
+  void theMapThatWasSavedIsOfferedForLoading() {
+    Desk desk;
+    desk.bench.action("saveNewMap")->trigger();
+    desk.controller().dialog()->nameEdit()->setText(QStringLiteral("Hall 3"));
+    desk.controller().dialog()->acceptButton()->click();
+    desk.bench.robot->maps.entries.push_back(test::catalogued("9", "Hall 3"));
+    desk.maps.answer(test::catalogued("9", "Hall 3"));
+    QTRY_VERIFY(!desk.controller().dialog());
+    QTRY_COMPARE(part<MapsDock>(*desk.bench.window)->model()->maps(), 4);
+    const auto buttons = desk.bench.window->findChild<ToastStack*>()->findChildren<QPushButton*>();
+    const auto load = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+      return button->text().startsWith(QLatin1String("Load it now"));
+    });
+    QVERIFY(load != buttons.end());
+    (*load)->click();
+    QVERIFY(desk.controller().dialog());
+    desk.controller().dialog()->acceptButton()->click();
+    QVERIFY(desk.maps.orders.back().change == MapChange::Load);
+    QCOMPARE(desk.maps.orders.back().key.id, std::string("9"));
+  }
+
+  void theMappingOfOneRobotIsNotInFrontForTheNext() {
+    Desk desk;
+    MappingDock* const dock = desk.controller().mappingDock();
+    const auto in_front = [&] { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
+    desk.maps.startMapping();
+    Q_EMIT desk.bench.robot->mapsChanged();
+    dock->raise();
+    QTRY_VERIFY(in_front());
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
+    QVERIFY(!desk.bench.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090")));
+    QTRY_VERIFY(!in_front());
   }
 
   void aRobotThatCannotDoAnyOfItShowsNothingOfIt() {

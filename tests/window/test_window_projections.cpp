@@ -93,7 +93,7 @@ struct Desk {
         [=, this](const QString& address,
                   const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
           auto made = std::make_unique<ProjectingRobot>(address);
-          made->has_dispatch = has_dispatch;
+          made->has_dispatch = has_dispatch && projecting;
           made->dispatch.changes = changes;
           robot = made.get();
           return std::unique_ptr<robot::Robot>(std::move(made));
@@ -142,6 +142,7 @@ struct Desk {
 
   QTemporaryDir folder;
   QSettings settings;
+  bool projecting = true;  // the next robot, too
   ProjectingRobot* robot = nullptr;
   std::unique_ptr<MainWindow> window;
 };
@@ -171,6 +172,19 @@ class TestWindowProjections : public QObject {
     QVERIFY(!desk.dock().sendButton()->isEnabled());
     desk.dock().askButton()->click();
     QCOMPARE(desk.dispatch().asked, 2);
+  }
+
+  void theToolOfARobotDoesNotStayInTheHandForAnotherOne() {
+    Desk desk;
+    desk.open();
+    const auto tool = [&] { return desk.window->view()->tool()->name(); };
+    const QString first = tool();
+    desk.window->actionList().find(QStringLiteral("projections"))->trigger();
+    QVERIFY(tool() != first);
+    desk.projecting = false;
+    QVERIFY(!desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090")));
+    QCOMPARE(tool(), first);
+    QVERIFY(!desk.window->actionList().find(QStringLiteral("projections"))->isChecked());
   }
 
   void theRobotIsAskedAnewOnceThereIsNews() {

@@ -148,7 +148,12 @@ robot::MapDispatch* CloudsController::dispatch() const {
 }
 
 void CloudsController::setSession(session::Session* session) {
-  if (!session) clouds_.clear();
+  if (!session) {
+    clouds_.clear();
+    // The next robot may have none.
+    const MapTool* const tool = context_.tools.chosen();
+    if (tool == region_tool_ || tool == section_tool_) context_.tools.putAway();
+  }
   // Pending requests are void.
   ++asked_;
   call_ = {};

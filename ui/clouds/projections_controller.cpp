@@ -105,6 +105,8 @@ robot::MapDispatch* ProjectionsController::dispatch() const {
 }
 
 void ProjectionsController::setSession(session::Session* session) {
+  // The next robot may have none.
+  if (!session && context_.tools.chosen() == tool_) context_.tools.putAway();
   ++asked_;
   call_ = {};
   tried_ = false;

@@ -21,8 +21,10 @@
 #include "jobs/change_map.h"
 #include "jobs/set_pose.h"
 #include "map/waypoint.h"
+#include "robot/sends_map.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "session/makes_new_map.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
@@ -33,7 +35,6 @@
 #include "ui/shell/current_session.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/view/map_overlay.h"
-#include "ui/view/toast_stack.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -376,12 +377,15 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
   QList<QAction*> actions;
   for (const Row& row : mapping_) actions << row.action;
   mapping_dock_ = new MappingDock(actions, &context.window);
-  context_.panels.add(mapping_dock_,
-                      {.side = PanelPlace::Side::Right,
-                       .tab = 71,
-                       .menu_rank = 38,
-                       .open = false,
-                       .idle = lacksForGood(context_.current, {robot::Capability::Administration})});
+  context_.panels.add(
+      mapping_dock_,
+      {.side = PanelPlace::Side::Right,
+       .tab = 71,
+       .menu_rank = 38,
+       .open = false,
+       .idle = [this, lacks = lacksForGood(context_.current, {robot::Capability::Administration})] {
+         return left_ || lacks();
+       }});
   look_->setInterval(kLookEveryMs);
   connect(look_, &QTimer::timeout, this, &AdministrationController::lookAtMapping);
   connect(&context_.current, &CurrentSession::stateChanged, this, &AdministrationController::refresh);
@@ -414,7 +418,12 @@ void AdministrationController::setSession(session::Session* session) {
   trouble_.clear();
   was_mapping_.reset();
   ended_.reset();
+  used_.reset();
   if (session) {
+    // A mapping of another robot brought it to the front. It is known now what else is there: once.
+    left_ = std::exchange(came_, false);
+    QMetaObject::invokeMethod(
+        this, [this] { left_ = false; }, Qt::QueuedConnection);
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &AdministrationController::refresh);
     connect(&session->robot(), &robot::Robot::mapsChanged, this, &AdministrationController::refresh);
   }
@@ -466,6 +475,8 @@ void AdministrationController::noteMapping() {
     noticed_.start();
     mapping_dock_->show();  // once: whoever closes it has seen it
     context_.panels.suggest(mapping_dock_);
+    came_ = true;
+    showNewMap();
     // A change made here says so itself.
     if (!dialog_ || !dialog_->waiting())
       context_.overlay.toasts()->add(Mark::Neutral, tr("The robot is mapping: see the panel Mapping."));
@@ -477,9 +488,21 @@ void AdministrationController::noteMapping() {
     progress_.reset();
     trouble_.clear();
   }
+  if (const map::CatalogueEntry* const current = session ? session->catalogue().current() : nullptr;
+      current && !running)
+    used_ = current->key;
   const bool looks = running && online;
   if (looks != look_->isActive()) looks ? look_->start() : look_->stop();
   showMapping();
+}
+
+/// Instead of the map that the robot has left for it. What is edited there stays on screen.
+void AdministrationController::showNewMap() {
+  session::Session* const session = context_.current.session();
+  const bool left = used_ && session->wholeMap().key() == *used_ &&
+                    session::makesNewMap(session->robot(), session->live(), session->submaps());
+  if (left && robot::sendsItsMap(session->robot()) && !context_.unsaved.any())
+    session->openMap({map::MapKind::Live, {}});
 }
 
 void AdministrationController::lookAtMapping() {
@@ -504,6 +527,10 @@ void AdministrationController::showMapping() {
   }
   if (session && was_mapping_ == true) {
     if (online) state.trouble = trouble_;
+    if (online && trouble_.isEmpty() && !session->robot().submapSource() &&
+        !robot::sendsItsMap(session->robot()))
+      state.trouble =
+          tr("This robot does not send the map while it makes it. It can be seen once it is saved.");
     state.seen_s = double(noticed_.elapsed()) / 1000;
     state.submaps = session->counts().listed;
     const geometry::WorldRect bounds = session->contentBounds();
@@ -623,8 +650,9 @@ void AdministrationController::showQuestion(MapChange change, const map::Catalog
   connect(&session->catalogue(), &session::Catalogue::changed, dialog_, &ChangeDialog::check);
   if (dialog_->nameEdit()) session->catalogue().refresh();  // names that others have given
   connect(dialog_, &ChangeDialog::done, this,
-          [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
-            context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
+          [this, change](const map::CatalogueEntry& map, const QString& said, bool as_asked) {
+            context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said,
+                                           change == MapChange::Save ? offerToLoad(map) : ToastOffer());
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
             if (change == MapChange::Save || change == MapChange::CancelMapping) ended_ = change;
             if (change == MapChange::StartMapping || change == MapChange::ContinueMapping)

@@ -15,6 +15,7 @@
 #include "robot/map_administration.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
+#include "ui/view/toast_stack.h"
 
 class QComboBox;
 class QLabel;
@@ -111,11 +112,13 @@ class AdministrationController : public Controller {
   void showQuestion(robot::MapChange change, const map::CatalogueEntry* map);
   QString unconfirmed() const;
   QString withUnconfirmed(const QString& tip) const;
+  ToastOffer offerToLoad(const map::CatalogueEntry& map);
   void askForPlaces(const map::MapKey& key);
   bool anyFinishedMapping() const;
   void refresh();
   void showMapping();
   void noteMapping();
+  void showNewMap();
 
   WindowContext& context_;
   struct Row {
@@ -130,6 +133,8 @@ class AdministrationController : public Controller {
   QString trouble_;                                 // why it told nothing
   std::optional<bool> was_mapping_;                 // nullopt: not known yet
   std::optional<robot::MapChange> ended_;           // of the last mapping: Save, CancelMapping
+  std::optional<map::MapKey> used_;                 // the robot's current map before the mapping
+  bool came_ = false, left_ = false;  // the dock, for a mapping of this robot, of the one before
   robot::Call looking_;
   QElapsedTimer noticed_;  // since was_mapping_
 };

@@ -1,6 +1,7 @@
 #include "ui/robot/robot_controller.h"
 
 #include "map/whereabouts.h"
+#include "session/makes_new_map.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
 #include "ui/robot/robot_dock.h"
@@ -66,20 +67,23 @@ void RobotController::refreshPlace() {
   if (!robot) return sayPlace({}, {}, false);
   const scene::RobotPlace& place = context_.scene.robotPlace();
   const auto& live = session->live();
+  const bool afresh = session::makesNewMap(session->robot(), live, session->submaps());
   const QString its = plainWords(map::currentMapName(live, session->catalogue().entries()), 40);
   const bool drawn = place.drawn != scene::ScreenPart::None;
   const QString show = tr("Show it anyway"), hide = tr("Hide it");
   using map::Whereabouts;
   if (place.where == Whereabouts::Elsewhere && !drawn) {
     return sayPlace(
-        its.isEmpty()
+        afresh ? tr("The robot is making a new map, not this one. The robot and its sensor data are hidden.")
+        : its.isEmpty()
             ? tr("The robot is not in this map. The robot and its sensor data are hidden.")
             : tr("The robot is in %1, not in this map. The robot and its sensor data are hidden.").arg(its),
         show, false);
   }
   if (place.where == Whereabouts::Elsewhere && place.by_choice) {
-    return sayPlace(its.isEmpty() ? tr("The robot is not in this map. It is shown anyway.")
-                                  : tr("The robot is in %1, not in this map. It is shown anyway.").arg(its),
+    return sayPlace(afresh          ? tr("The robot is making a new map, not this one. It is shown anyway.")
+                    : its.isEmpty() ? tr("The robot is not in this map. It is shown anyway.")
+                                    : tr("The robot is in %1, not in this map. It is shown anyway.").arg(its),
                     hide, false, Mark::Warning);
   }
   if (place.where == Whereabouts::Unknown && live.robot_pose) {

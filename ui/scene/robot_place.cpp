@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "session/lacks_picture.h"
+#include "session/makes_new_map.h"
 #include "session/session.h"
 
 namespace mapwright::scene {
 namespace {
 
 using map::Whereabouts;
-
-/// Whether the submaps come from a stored map; nullopt while there are none.
-std::optional<bool> ofStoredMap(const submap::SubmapStore& store) {
-  if (!store.listReceived() || store.rows().empty()) return std::nullopt;
-  return store.frozenCount() > 0;
-}
 
 ScreenPart partOf(bool left, bool right) {
   if (left && right) return ScreenPart::All;
@@ -23,10 +18,9 @@ ScreenPart partOf(bool left, bool right) {
 
 }  // namespace
 
-RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_screen,
-                      std::optional<bool> choice) {
+RobotPlace robotPlace(session::Session& session, const MapsOnScreen& on_screen, std::optional<bool> choice) {
   const map::LiveState& live = session.live();
-  const bool afresh = map::mapsAfresh(live, ofStoredMap(session.submaps()));
+  const bool afresh = session::makesNewMap(session.robot(), live, session.submaps());
   const auto in = [&](const session::MapSlot& slot) {
     if (session::lacksPicture(slot))  // its waypoints are on screen
       return map::whereabouts(slot.key(), slot.name().toStdString(), live, session.catalogue().entries(),

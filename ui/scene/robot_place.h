@@ -33,7 +33,6 @@ struct MapsOnScreen {
 };
 
 /// `choice`: draw it or not in any case; nullopt = automatic.
-RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_screen,
-                      std::optional<bool> choice);
+RobotPlace robotPlace(session::Session& session, const MapsOnScreen& on_screen, std::optional<bool> choice);
 
 }  // namespace mapwright::scene
