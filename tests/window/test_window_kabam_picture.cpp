@@ -12,6 +12,8 @@
 #include "robot/ros/ros_robot.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
+#include "ui/kit/status_text.h"
+#include "ui/maps/administration_controller.h"
 #include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/picture/picture_copies.h"
@@ -285,6 +287,40 @@ class TestWindowKabamPicture : public QObject {
     Hall other(hall.robot);
     other.open();
     QVERIFY(other.cell(31, 41) != 100);
+  }
+
+  void theRobotOfACopyIsCalledByItsName() {
+    Hall hall;
+    hall.keeps_copies = true;
+    hall.open();
+    hall.paint(kSpot);
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+    hall.action("pictureCopies")->trigger();
+    QTRY_COMPARE(hall.control().copiesDialog()->table()->rowCount(), 1);
+    QCOMPARE(hall.control().copiesDialog()->table()->item(0, 2)->text(),
+             QStringLiteral("127.0.0.1:%1").arg(hall.robot->rosPort()));
+  }
+
+  void theMapThatTheRobotMakesIsShownInsteadOfTheOneThatItLeft() {
+    Hall hall;
+    hall.open();
+    const session::MapSlot& slot = hall.window->session()->wholeMap();
+    const QString left = slot.name();
+    QVERIFY(!left.isEmpty() && hall.window->windowTitle().contains(left));
+    // It works with a map, and there has been no mapping.
+    QVERIFY(!hall.action("saveNewMap")->isEnabled());
+    QVERIFY2(hall.action("saveNewMap")->toolTip().contains(QLatin1String("no new map")),
+             qPrintable(hall.action("saveNewMap")->toolTip()));
+    hall.action("startMapping")->trigger();
+    QTRY_VERIFY(part<AdministrationController>(*hall.window)->dialog());
+    part<AdministrationController>(*hall.window)->dialog()->acceptButton()->click();
+    QTRY_COMPARE(slot.key().kind, map::MapKind::Live);
+    QTRY_VERIFY2(!hall.window->windowTitle().contains(left), qPrintable(hall.window->windowTitle()));
+    QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
+    QVERIFY2(!mapShownText(slot).contains(left), qPrintable(mapShownText(slot)));
+    QVERIFY(!hall.window->session()->placesOf(slot));
+    QVERIFY(hall.action("saveNewMap")->isEnabled());
   }
 
   void aCopyOfAnotherMapIsNotPutBack() {

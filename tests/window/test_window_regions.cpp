@@ -386,13 +386,26 @@ class TestWindowRegions : public QObject {
              qPrintable(controller()->tool()->hint()));
     QTest::mouseRelease(map, Qt::LeftButton, {}, to);
     QVERIFY(controller()->question());
-    QVERIFY(controller()->question()->text().contains(QStringLiteral("cells, about")));
+    const QString asked = controller()->question()->text();
+    QVERIFY(controller()->question()->informativeText().isEmpty());
     answerCalled("keepRegion")->click();
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     const map::GridReference grid = window_->session()->wholeMap().reference();
-    QVERIFY2(std::abs(grid.width - 200) <= 2 && std::abs(grid.height - 120) <= 2,
-             qPrintable(QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)));
+    // As many cells as was said.
+    QVERIFY2(asked.contains(QStringLiteral(": %1 × %2 cells, about").arg(grid.width).arg(grid.height)),
+             qPrintable(QStringLiteral("%1 x %2, %3").arg(grid.width).arg(grid.height).arg(asked)));
+    QVERIFY(std::abs(grid.width - 200) <= 2 && std::abs(grid.height - 120) <= 2);
     QVERIFY(std::abs(grid.origin.x_m + 5) < 0.11);
+    // The next one would take its place.
+    controller()->fetch().takeRectangle({-1.01, -1.03, 1.94, 1.92});
+    QVERIFY(controller()->question());
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral(": 59 × 59 cells")),
+             qPrintable(controller()->question()->text()));
+    QVERIFY2(controller()->question()->informativeText().contains(QStringLiteral("is replaced")),
+             qPrintable(controller()->question()->informativeText()));
+    answerCalled("keepRegion")->click();
+    QTRY_COMPARE(window_->session()->wholeMap().reference().width, 59);
+    QCOMPARE(window_->session()->wholeMap().reference().height, 59);
   }
   void aRectangleIsSaved() {
     open();

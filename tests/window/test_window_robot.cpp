@@ -143,6 +143,25 @@ class TestWindowRobot : public QObject {
     QVERIFY(sections[2].fields[0].value.size() <= 200);
   }
 
+  void aRobotOfTopicsIsToldByWhereItIsAndGoes() {
+    map::LiveState live;
+    QVERIFY(topicSections(live).empty());
+    live.robot_pose = geometry::Pose2{1, 2, 0};
+    live.planning = map::PlanningState{};
+    live.planning->targets = {{4, 6, M_PI / 2}};
+    live.path = {{1, 2}, {4, 2}, {4, 6}};
+    QStringList lines;
+    for (const StatusSection& section : topicSections(live)) {
+      for (const StatusField& field : section.fields)
+        lines << QStringLiteral("%1 / %2: %3").arg(section.title, field.name, field.value);
+    }
+    QCOMPARE(
+        lines,
+        (QStringList{QStringLiteral("Pose / Position: 1.00 m, 2.00 m"), QStringLiteral("Pose / Heading: 0°"),
+                     QStringLiteral("Goal / Position: 4.00 m, 6.00 m"), QStringLiteral("Goal / Heading: 90°"),
+                     QStringLiteral("Goal / Distance: 5.0 m"), QStringLiteral("Path / Length: 7.0 m")}));
+  }
+
   void countsMessagesAndTheirRates() {
     TopicLog log;
     for (int i = 0; i < 50; ++i) log.note(raw("/a", QByteArray(100, 'x')), i * 100);

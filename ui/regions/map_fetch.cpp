@@ -85,6 +85,7 @@ void MapFetch::fetchWhole() {
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
   question_->setDefaultButton(QMessageBox::Cancel);
+  sayReplaced();
   QPushButton* const yes = question_->addButton(tr("Fetch"), QMessageBox::AcceptRole);
   yes->setObjectName(QStringLiteral("fetchWhole"));
   connect(yes, &QPushButton::clicked, this, &MapFetch::startWhole);
@@ -170,12 +171,20 @@ void MapFetch::show(std::function<map::OccupancyCells()> cells, const map::GridR
   });
 }
 
-void MapFetch::takeRectangle(const geometry::WorldRect& rect) {
+void MapFetch::sayReplaced() {
+  if (const std::vector<Fetched> kept = fetched(); !kept.empty())
+    question_->setInformativeText(
+        tr("What is kept on screen, %1, is replaced by it and is not saved.").arg(kept.front().name));
+}
+
+void MapFetch::takeRectangle(const geometry::WorldRect& drawn) {
   if (!map_ || question_) return;
+  const geometry::WorldRect rect = wholeCells(map_->regions(), drawn);
   question_ = new QMessageBox(QMessageBox::Question, tr("Fetch a region"),
                               rectangleText(map_->regions(), rect), QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
+  sayReplaced();
   QPushButton* const keep = question_->addButton(tr("Keep on screen"), QMessageBox::AcceptRole);
   keep->setObjectName(QStringLiteral("keepRegion"));
   QPushButton* const save = question_->addButton(tr("Save as PGM and YAML…"), QMessageBox::AcceptRole);

@@ -59,6 +59,8 @@ class MapFetch : public QObject {
   enum class Then { Show, Save };
   void startWhole();
   void refuseWhole(const QString& why);
+  /// In the question that is being asked: what goes, if it is answered with yes.
+  void sayReplaced();
   void endWhole(const robot::Outcome<map::GridPart>& outcome);
   void startRectangle(const geometry::WorldRect& rect, Then then, const QString& path);
   void endRectangle();

@@ -183,7 +183,9 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
       context_(context),
       tool_(new RectangleTool([this] { return context_.scene.view(); },
                               [this](const geometry::WorldRect& rect) {
-                                return map_ ? rectangleText(map_->regions(), rect) : areaText(rect);
+                                return map_
+                                           ? rectangleText(map_->regions(), wholeCells(map_->regions(), rect))
+                                           : areaText(rect);
                               },
                               this)),
       every_(new QActionGroup(this)),

@@ -56,10 +56,28 @@ QString areaText(const geometry::WorldRect& rect) {
   return MapByRegionsText::tr("%1 × %2 m").arg(metres(rect.width()), metres(rect.height()));
 }
 
+geometry::WorldRect wholeCells(const regions::MapRegions& map, const geometry::WorldRect& rect) {
+  for (const auto& sheet : map.sheets()) {
+    if (sheet->reference().origin.yaw_rad != 0) continue;
+    const double cell_m = sheet->reference().resolution_m;
+    const auto edge = [cell_m](double at, double zero) {
+      return zero + std::round((at - zero) / cell_m) * cell_m;
+    };
+    const Eigen::Vector2d& zero = sheet->zero();
+    geometry::WorldRect cells;
+    cells.extend(Eigen::Vector2d(edge(rect.min_x, zero.x()), edge(rect.min_y, zero.y())));
+    cells.extend(Eigen::Vector2d(edge(rect.max_x, zero.x()), edge(rect.max_y, zero.y())));
+    if (cells.width() > 0 && cells.height() > 0) return cells;
+  }
+  return rect;
+}
+
 QString rectangleText(const regions::MapRegions& map, const geometry::WorldRect& rect) {
   const auto resolution = map.plan().resolution();
   if (!resolution) return areaText(rect);
-  const double wide = std::ceil(rect.width() / *resolution), high = std::ceil(rect.height() / *resolution);
+  constexpr double kRounding = 1e-6;
+  const double wide = std::ceil(rect.width() / *resolution - kRounding),
+               high = std::ceil(rect.height() / *resolution - kRounding);
   return MapByRegionsText::tr("%1: %2 × %3 cells, about %4")
       .arg(areaText(rect), countText(whole(wide)), countText(whole(high)), bytesText(whole(wide * high)));
 }

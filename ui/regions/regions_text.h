@@ -15,6 +15,9 @@ namespace mapwright::window {
 QString regionsStatus(const regions::MapRegions& map);
 /// "1,024 × 512 m".
 QString areaText(const geometry::WorldRect& rect);
+/// The nearest one whose edges are edges of cells, as far as these are known: as many are fetched as were
+/// drawn.
+geometry::WorldRect wholeCells(const regions::MapRegions& map, const geometry::WorldRect& rect);
 /// "60.0 × 24.0 m: 1,200 × 480 cells, about 576 KB"; without cells if their size is unknown.
 QString rectangleText(const regions::MapRegions& map, const geometry::WorldRect& rect);
 /// The size of the whole map: as reported (`extent`), otherwise estimated from what arrived. `map` may be

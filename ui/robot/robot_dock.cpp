@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "robot/offers_topics.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
@@ -88,9 +89,9 @@ void RobotDock::setSession(session::Session* session) {
   if (session) {
     connect(session, &session::Session::liveChanged, this, [this](int what) {
       using map::topicIndex;
-      // Poses and points arrive many times a second and are not shown here.
-      if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::PointCloudMessage>() ||
-          what == topicIndex<map::GridMessage>())
+      // Poses and points arrive many times a second; of other robots they are not shown here.
+      if ((what == topicIndex<map::TrackedPose>() && !ofTopics()) ||
+          what == topicIndex<map::PointCloudMessage>() || what == topicIndex<map::GridMessage>())
         return;
       if (what == topicIndex<map::AlertsMessage>()) alerts_known_ = true;
       if (!refresh_timer_.isActive()) refresh_timer_.start();
@@ -101,6 +102,8 @@ void RobotDock::setSession(session::Session* session) {
   }
   refresh();
 }
+
+bool RobotDock::ofTopics() const { return session_ && robot::topicsOfferedBy(session_->robot()); }
 
 void RobotDock::showEvent(QShowEvent* event) {
   QDockWidget::showEvent(event);
@@ -125,7 +128,11 @@ void RobotDock::refresh() {
   limits_->setVisible(!limits.isEmpty());
   setTextColor(*limits_, appColors().secondary_text);
   if (session_) {
-    showSections(statusSections(session_->live()));
+    std::vector<StatusSection> sections = statusSections(session_->live());
+    if (ofTopics()) {
+      for (StatusSection& one : topicSections(session_->live())) sections.push_back(std::move(one));
+    }
+    showSections(std::move(sections));
     const bool live = session_->robot().liveTopics() != nullptr;
     showAlerts(alertLines(session_->live().alerts, QDateTime::currentDateTime()), live && alerts_known_);
   } else {

@@ -36,6 +36,8 @@ class RobotDock : public QDockWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  /// Where it is and where it goes is told here, too: its topics say little else.
+  bool ofTopics() const;
   void showSections(std::vector<StatusSection> sections);
   void showAlerts(std::vector<AlertLine> lines, bool known);
   QWidget* alertRow(const AlertLine& line);

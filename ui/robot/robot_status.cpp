@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QTimeZone>
 
+#include "geometry/polyline.h"
 #include "sentences/state_words.h"
 #include "words/qt_plain.h"
 
@@ -205,6 +206,40 @@ std::vector<StatusSection> statusSections(const map::LiveState& live) {
     Section section(QT_TRANSLATE_NOOP("window", "Barcode"));
     section.add(QT_TRANSLATE_NOOP("window", "State"), plain(live.barcode->state));
     section.add(QT_TRANSLATE_NOOP("window", "Id"), plain(live.barcode->id));
+    section.addTo(sections);
+  }
+  return sections;
+}
+
+std::vector<StatusSection> topicSections(const map::LiveState& live) {
+  std::vector<StatusSection> sections;
+  const auto place = [](double x_m, double y_m) {
+    return QStringLiteral("%1, %2").arg(number(x_m, 2, "m"), number(y_m, 2, "m"));
+  };
+  const auto heading = [](double yaw_rad) {
+    return std::isfinite(yaw_rad) ? QStringLiteral("%1°").arg(QString::number(yaw_rad * 180 / M_PI, 'f', 0))
+                                  : QString();
+  };
+  const auto& pose = live.robot_pose;
+  if (pose) {
+    Section section(QT_TRANSLATE_NOOP("window", "Pose"));
+    section.add(QT_TRANSLATE_NOOP("window", "Position"), place(pose->x_m, pose->y_m));
+    section.add(QT_TRANSLATE_NOOP("window", "Heading"), heading(pose->yaw_rad));
+    section.addTo(sections);
+  }
+  if (live.planning && !live.planning->targets.empty()) {
+    const geometry::Pose2& goal = live.planning->targets.front();
+    Section section(QT_TRANSLATE_NOOP("window", "Goal"));
+    section.add(QT_TRANSLATE_NOOP("window", "Position"), place(goal.x_m, goal.y_m));
+    section.add(QT_TRANSLATE_NOOP("window", "Heading"), heading(goal.yaw_rad));
+    if (pose)
+      section.add(QT_TRANSLATE_NOOP("window", "Distance"),
+                  number(std::hypot(goal.x_m - pose->x_m, goal.y_m - pose->y_m), 1, "m"));
+    section.addTo(sections);
+  }
+  if (live.path.size() > 1) {
+    Section section(QT_TRANSLATE_NOOP("window", "Path"));
+    section.add(QT_TRANSLATE_NOOP("window", "Length"), number(geometry::lengthOf(live.path), 1, "m"));
     section.addTo(sections);
   }
   return sections;

@@ -33,6 +33,8 @@ struct AlertLine {
 
 /// What the robot has reported so far; unknown sections are left out.
 std::vector<StatusSection> statusSections(const map::LiveState& live);
+/// The same of a robot whose topics say no more about it: where it is and where it goes.
+std::vector<StatusSection> topicSections(const map::LiveState& live);
 /// Worst first, then oldest first.
 std::vector<AlertLine> alertLines(const std::vector<map::Alert>& alerts, const QDateTime& now);
 

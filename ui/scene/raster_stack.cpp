@@ -363,14 +363,14 @@ LayerSpec layerSpec<Layer::EnvSymmetry>() {
 
 template <>
 LayerSpec layerSpec<Layer::CostmapLow>() {
-  return costmapSpec("costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), map::Stream::CostmapLow,
-                     costmapLegend<GridKind::CostmapLow>);
+  return costmapSpec("costmap", QT_TRANSLATE_NOOP("scene", "Costmap, global or coarse"),
+                     map::Stream::CostmapLow, costmapLegend<GridKind::CostmapLow>);
 }
 
 template <>
 LayerSpec layerSpec<Layer::CostmapHigh>() {
-  return costmapSpec("costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), map::Stream::CostmapHigh,
-                     costmapLegend<GridKind::CostmapHigh>);
+  return costmapSpec("costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, local or fine"),
+                     map::Stream::CostmapHigh, costmapLegend<GridKind::CostmapHigh>);
 }
 
 }  // namespace mapwright::scene
