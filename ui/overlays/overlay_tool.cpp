@@ -609,6 +609,11 @@ bool OverlayTool::keyPressed(const MapKeyPress& press) {
   }
 }
 
+std::vector<QRectF> OverlayTool::covered() const {
+  const auto grip = handle();
+  return grip ? std::vector<QRectF>{scene::squareAround(*grip, kGripPx + 2)} : std::vector<QRectF>();
+}
+
 void OverlayTool::paint(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
   paintTheirs(painter);

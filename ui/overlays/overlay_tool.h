@@ -59,6 +59,7 @@ class OverlayTool : public MapTool {
   bool claims(const MapKeyPress& press) const override;
   bool keyPressed(const MapKeyPress& press) override;
   void paint(QPainter& painter) override;
+  std::vector<QRectF> covered() const override;
   QString hint() const override;
 
   /// Where the handle is that turns what is selected, in viewport pixels; nullopt: there is none.

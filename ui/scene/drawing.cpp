@@ -38,6 +38,10 @@ QPainterPath outlines(const QList<QGlyphRun>& runs) {
 
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
+QRectF squareAround(const QPointF& middle, double half) {
+  return {middle - QPointF(half, half), QSizeF(2 * half, 2 * half)};
+}
+
 QColor translucent(QColor color, int alpha) {
   color.setAlpha(alpha);
   return color;

@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
+#include <QRectF>
 
 #include "geometry/view_transform.h"
 #include "render/raster_tiles.h"
@@ -18,6 +19,7 @@
 namespace mapwright::scene {
 
 QPointF toPoint(const Eigen::Vector2d& v);
+QRectF squareAround(const QPointF& middle, double half);
 /// `alpha`: 0 … 255.
 QColor translucent(QColor color, int alpha);
 /// 0xRRGGBBAA.

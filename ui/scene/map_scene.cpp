@@ -743,6 +743,8 @@ void MapScene::setCoveredTop(double px) {
   if (px == items_->context.covered_top_px) return;
   items_->context.covered_top_px = px;
   items_->swipe->update();
+  items_->labels.viewMoved();
+  placeLabelsSoon();
 }
 
 void MapScene::setCovered(std::vector<QRectF> areas) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
+#include <vector>
 
 #include <QAction>
 #include <QClipboard>
@@ -101,8 +103,6 @@ void MapOverlay::place() {
   const QSize furniture = furniture_->sizeHint();
   furniture_->setGeometry(area.width() - furniture.width() - kMargin, top + kMargin, furniture.width(),
                           furniture.height());
-  view_->mapScene()->setCovered(furniture_visible_ ? std::vector<QRectF>{furniture_->geometry()}
-                                                   : std::vector<QRectF>());
   if (!card_->isHidden()) {
     const int width = std::min(card_->maximumWidth(), std::max(280, area.width() - 2 * kMargin));
     const int height = card_->hasHeightForWidth() ? card_->heightForWidth(width) : card_->sizeHint().height();
@@ -115,6 +115,10 @@ void MapOverlay::place() {
     hint_frame_->setGeometry((area.width() - width) / 2, top + kMargin, width,
                              hint_frame_->heightForWidth(width));
   }
+  std::vector<QRectF> covered;
+  if (furniture_visible_) covered.emplace_back(furniture_->geometry());
+  if (!hint_frame_->isHidden()) covered.emplace_back(hint_frame_->geometry());
+  view_->setCovered(std::move(covered));
   const QSize toasts = toasts_->sizeHint();
   toasts_->setGeometry(area.width() - toasts.width() - kMargin, area.height() - toasts.height() - kMargin,
                        toasts.width(), toasts.height());

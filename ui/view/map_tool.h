@@ -2,10 +2,13 @@
 // viewport pixels; drags that it does not take pan the map.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 #include <QCursor>
 #include <QObject>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 
 class QPainter;
@@ -60,6 +63,8 @@ class MapTool : public QObject {
   virtual bool claims(const MapKeyPress& /*press*/) const { return false; }
   /// Paints over the map, in viewport pixels; triggered by changed().
   virtual void paint(QPainter& /*painter*/) {}
+  /// Where names of the map would lie below what it paints and can be dragged; viewport pixels.
+  virtual std::vector<QRectF> covered() const { return {}; }
   /// One line about the state of the tool and the possible actions; empty = none.
   virtual QString hint() const { return {}; }
 

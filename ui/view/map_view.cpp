@@ -67,6 +67,7 @@ void MapView::setView(const geometry::ViewTransform& view) {
   sized.height_px = std::max(1, viewport()->height());
   if (sized == scene_->view()) return;
   scene_->setView(sized);
+  updateCovered();
   if (cursor_px_) Q_EMIT cursorMoved();
 }
 
@@ -186,6 +187,17 @@ void MapView::setCoveredTop(int px) {
   if (kept_fit_ && px > kept_fit_->covered_px) fitAgain();
 }
 
+void MapView::setCovered(std::vector<QRectF> areas) {
+  covered_ = std::move(areas);
+  updateCovered();
+}
+
+void MapView::updateCovered() {
+  std::vector<QRectF> areas = covered_;
+  for (const QRectF& area : tool_->covered()) areas.push_back(area);
+  scene_->setCovered(std::move(areas));
+}
+
 void MapView::panBy(const QPointF& pixels) {
   takeByHand();
   stopMoving();
@@ -245,9 +257,11 @@ void MapView::setTool(MapTool* tool) {
   tool_ = tool;
   connect(tool_, &MapTool::changed, this, [this] {
     updateCursor();
+    updateCovered();
     viewport()->update();
   });
   tool_->activate();
+  updateCovered();
   viewport()->update();
   updateCursor();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 #include <QElapsedTimer>
@@ -65,6 +66,8 @@ class MapView : public QGraphicsView {
   void keepFitted(const geometry::WorldRect& world, double closest_m_per_px);
   /// The height of the strips at its top.
   void setCoveredTop(int px);
+  /// By what else floats over it. Names keep clear of it, and of what the tool paints.
+  void setCovered(std::vector<QRectF> areas);
 
   /// While following, the robot is kept in the centre; manual panning stops it.
   void setFollowing(bool following);
@@ -107,6 +110,7 @@ class MapView : public QGraphicsView {
   geometry::ViewTransform fittedTo(const geometry::WorldRect& world, double closest_m_per_px) const;
   bool fitAgain();
   void step();
+  void updateCovered();
   void panBy(const QPointF& pixels);
   void zoomFactorAt(const QPointF& anchor, double factor);
   void takeByHand(bool keeps_following = false);
@@ -128,6 +132,7 @@ class MapView : public QGraphicsView {
     double covered_px;  // by the strips, then
   };
   std::optional<Fit> kept_fit_;
+  std::vector<QRectF> covered_;
   QSize window_size_;  // at the last resize
   QPoint corner_px_;   // of the map in the window, at that time
   QElapsedTimer motion_clock_;

@@ -361,6 +361,17 @@ std::optional<QPointF> WaypointTool::handle() const {
          QPointF(std::cos(heading), -std::sin(heading)) * kHandlePx;
 }
 
+std::vector<QRectF> WaypointTool::covered() const {
+  const auto grip = handle();
+  if (!grip) return {};
+  std::vector<QRectF> areas{scene::squareAround(*grip, kHandleRadiusPx + 2)};
+  if (const map::Waypoint* const only = editing_->only()) {
+    const QPointF from = scene::toPoint(scene_->view().pixelFromWorld(only->position_m));
+    areas.push_back(scene::squareAround((from + *grip) / 2, kHandleRadiusPx));  // of its line
+  }
+  return areas;
+}
+
 void WaypointTool::paint(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
   if (drag_ == Drag::Frame) return paintFrame(painter);

@@ -37,6 +37,7 @@ class WaypointTool : public MapTool {
   bool doubleClicked(const MapPoint& at) override;
   bool keyPressed(const MapKeyPress& press) override;
   void paint(QPainter& painter) override;
+  std::vector<QRectF> covered() const override;
   QString hint() const override;
 
   /// Where the handle of what is selected is, in viewport pixels: that of the heading of one, or that which
