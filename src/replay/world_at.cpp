@@ -293,4 +293,19 @@ std::optional<double> stampBefore(const Chunk& chunk, double at_s) {
   return place > 0 ? std::optional(chunk.stampAt(place - 1)) : std::nullopt;
 }
 
+std::optional<double> stampOfFirstMap(const Chunk& chunk) {
+  const auto is_map = [](const robot::BagMessage& message) {
+    if (std::holds_alternative<map::SubmapList>(message.message.message)) return true;
+    const auto* const grid = std::get_if<map::GridMessage>(&message.message.message);
+    return grid && grid->kind == map::GridKind::WholeMap;
+  };
+  for (const std::uint32_t index : chunk.back_filled) {
+    if (is_map(chunk.source->messages[index])) return std::nullopt;
+  }
+  for (std::size_t place = 0; place < chunk.order.size(); ++place) {
+    if (is_map(chunk.at(place))) return chunk.stampAt(place);
+  }
+  return std::nullopt;
+}
+
 }  // namespace mapwright::replay

@@ -52,4 +52,8 @@ std::optional<geometry::Pose2> poseBetween(const PrefixIndex& index, double at_s
 std::optional<double> stampAfter(const Chunk& chunk, double at_s);
 std::optional<double> stampBefore(const Chunk& chunk, double at_s);
 
+/// The stamp of the first map in a chunk (a list of submaps, or a whole map); nullopt = there is none, or the
+/// map is there from before the chunk.
+std::optional<double> stampOfFirstMap(const Chunk& chunk);
+
 }  // namespace mapwright::replay

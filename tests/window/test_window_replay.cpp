@@ -303,7 +303,6 @@ class TestWindowReplay : public QObject {
     QVERIFY(desk.isReplay());
     QVERIFY(desk.window->windowTitle().contains(QStringLiteral("same_stamps.bag")));
     QVERIFY(desk.timeline().isVisible());
-    QCOMPARE(desk.clock().at(), desk.clock().start());
     // Nothing can be changed on the robot.
     QCOMPARE(desk.window->session()->robot().waypointStore(), nullptr);
     QCOMPARE(desk.window->session()->robot().mapAdministration(), nullptr);
@@ -344,10 +343,23 @@ class TestWindowReplay : public QObject {
     QTRY_VERIFY(all_in_view());
   }
 
+  void aRecordingOpensAtItsFirstMap() {
+    Desk desk;
+    desk.replay(kWhole);
+    QTRY_VERIFY(desk.isThere() && desk.window->session()->world().submaps);
+    QVERIFY(desk.clock().at() > desk.clock().start());
+    const double opened_s = desk.clock().at();
+    desk.clock().seek(opened_s - 0.01);
+    QTRY_VERIFY(desk.isThere() && !desk.window->session()->world().submaps);
+  }
+
   void aTimeBeforeTheFirstMapSaysSoHoweverOneCameThere() {
     Desk desk;
     desk.replay(kWhole);
     session::Session* const session = desk.window->session();
+    QTRY_VERIFY(desk.isThere() && session->counts().shown > 0 && session->counts().pending == 0);
+    desk.clock().seek(desk.clock().start());
+    QTRY_VERIFY(desk.isThere());
     const auto says = [&] {
       return part<MapOverlay>(*desk.window)
           ->notice()
@@ -503,6 +515,9 @@ class TestWindowReplay : public QObject {
     desk.replay(kWhole);
     desk.axis().setFocus();
     const double start_s = desk.clock().start();
+    QTRY_VERIFY(desk.clock().at() > start_s);  // at its first map
+    desk.key(Qt::Key_Home);
+    NEAR(desk.clock().at(), start_s, 1e-6);
     desk.key(Qt::Key_Right);
     NEAR(desk.clock().at(), start_s + 0.1, 1e-6);
     desk.key(Qt::Key_Right, Qt::ShiftModifier);

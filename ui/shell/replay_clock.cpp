@@ -224,16 +224,17 @@ void ReplayClock::noteRead() {
   if (!digests.empty()) {
     for (const auto& [topic, span] : digests.rbegin()->second.topics) player_->extend(span.last_s);
   }
-  goToFirstMessage();
+  goToFirstMap();
   Q_EMIT rangesChanged();
 }
 
-void ReplayClock::goToFirstMessage() {
+void ReplayClock::goToFirstMap() {
   const replay::Reading* const reading = untouched_ ? this->reading() : nullptr;
   const replay::Cell* const here = reading ? reading->chunks().cellAt(at()) : nullptr;
   const replay::ChunkPtr chunk = here ? reading->chunkAt(here->from) : nullptr;
   if (!chunk) return;
-  const auto first_s = chunk->countUntil(at()) == 0 ? replay::stampAfter(*chunk, at()) : std::nullopt;
+  auto first_s = chunk->countUntil(at()) == 0 ? replay::stampAfter(*chunk, at()) : std::nullopt;
+  if (const auto map_s = replay::stampOfFirstMap(*chunk); map_s && *map_s > at()) first_s = map_s;
   if (first_s) seek(*first_s);
   untouched_ = false;
 }

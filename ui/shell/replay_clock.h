@@ -83,8 +83,9 @@ class ReplayClock : public QObject {
   void goSoon();
   void noteState();
   void noteRead();
-  /// A bag is shown from its first message on: before that there is nothing to see.
-  void goToFirstMessage();
+  /// A bag is shown from its first map on, or where its first range has none, from its first message on:
+  /// before that there is nothing to see.
+  void goToFirstMap();
   replay::Millis now() const { return now_ ? now_() : clock_.elapsed(); }
 
   std::function<replay::Millis()> now_;
