@@ -6,7 +6,6 @@
 #include "ink.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/safety_badge.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/empty_state.h"
@@ -198,7 +197,7 @@ class TestWindowInk : public QObject {
     verifyPainted(text);
   }
 
-  void chipAndBadges() {
+  void theChipAndTheStripAboveTheMap() {
     Bench bench;
     bench.prepare = [](test::FakeRobot& robot) { robot.has_live = true; };
     MainWindow& window = bench.open();
@@ -210,7 +209,6 @@ class TestWindowInk : public QObject {
     QTRY_VERIFY(part<ConnectionChip>(window)->safety().mark == Mark::Bad);
     QCOMPARE(part<ConnectionChip>(window)->size(), before);  // the tools beside it stay where they are
     QVERIFY(ink(part<ConnectionChip>(window)) > kSomeInk);
-    verifyPainted(part<WindowStatusBar>(window)->safety());
     verifyPainted(part<MapOverlay>(window)->safetyNotice()->findChild<PlainLabel*>());
   }
 };

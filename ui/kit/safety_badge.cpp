@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QCoreApplication>
-#include <QEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QStringList>
@@ -52,41 +51,6 @@ void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, c
   painter->drawText(words, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                     painter->fontMetrics().elidedText(text.badge, Qt::ElideMiddle, words.width()));
   painter->restore();
-}
-
-SafetyBadge::SafetyBadge(QWidget* parent) : QAbstractButton(parent) {
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  setFocusPolicy(Qt::TabFocus);
-  setCursor(Qt::PointingHandCursor);
-  hide();
-}
-
-void SafetyBadge::setSafety(const SafetyText& text) {
-  if (text == text_) return;
-  const bool resized = safetyWidth(text, font()) != safetyWidth(text_, font());
-  text_ = text;
-  setToolTip(plainToolTip(text.detail));
-  setAccessibleName(text.badge);
-  setAccessibleDescription(text.detail);
-  if (resized) updateGeometry();
-  setVisible(text.mark != Mark::None);
-  update();
-}
-
-QSize SafetyBadge::sizeHint() const { return {safetyWidth(text_, font()), 22}; }
-
-void SafetyBadge::paintEvent(QPaintEvent*) {
-  const UiColors colors = appColors();
-  QPainter painter(this);
-  paintSafety(&painter, rect(), text_, colors);
-  if (!hasFocus()) return;
-  painter.setPen(QPen(colors.accent, 2));
-  painter.drawRect(rect().adjusted(1, 1, -1, -1));
-}
-
-void SafetyBadge::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) updateGeometry();
-  QAbstractButton::changeEvent(event);
 }
 
 namespace {
@@ -191,5 +155,3 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
 }
 
 }  // namespace mapwright::window
-
-#include "moc_safety_badge.cpp"

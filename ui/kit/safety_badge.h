@@ -1,10 +1,9 @@
-// A small badge for safety conditions: a shape, a colour and text.
+// Safety conditions as texts, and as a small badge: a shape, a colour and words.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include <QAbstractButton>
 #include <QDateTime>
 #include <QString>
 
@@ -43,23 +42,5 @@ QString safetySentence(const map::SafetyCondition& condition, const QDateTime& n
 int safetyWidth(const SafetyText& text, const QFont& font);
 /// Text that does not fit is elided; shape and colour always stay.
 void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, const UiColors& colors);
-
-/// The badge in the status bar. Hidden if there is nothing to say.
-class SafetyBadge : public QAbstractButton {
-  Q_OBJECT
- public:
-  explicit SafetyBadge(QWidget* parent = nullptr);
-  void setSafety(const SafetyText& text);
-  const SafetyText& safety() const { return text_; }
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void changeEvent(QEvent* event) override;
-
- private:
-  SafetyText text_;
-};
 
 }  // namespace mapwright::window

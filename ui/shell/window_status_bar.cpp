@@ -10,7 +10,6 @@
 
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/safety_badge.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/status_text.h"
 #include "ui/view/replay_state.h"
@@ -111,7 +110,6 @@ bool StateLabel::event(QEvent* event) {
 WindowStatusBar::WindowStatusBar(QWidget* parent)
     : QStatusBar(parent),
       connection_(new StateLabel(this)),
-      safety_(new SafetyBadge(this)),
       loading_(new BarLabel(this)),
       bar_(new ThinBar(this)),
       traffic_(new PlainLabel(this)),
@@ -152,7 +150,6 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(8, 0, 8, 0);
   line->setSpacing(10);
-  line->addWidget(safety_, 0);
   line->addWidget(connection_, 0);
   line->addWidget(loading_, 0);
   line->addWidget(bar_, 0);
@@ -170,7 +167,6 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
 
   countdown_.setInterval(250);
   connect(&countdown_, &QTimer::timeout, this, &WindowStatusBar::refreshCountdown);
-  connect(safety_, &SafetyBadge::clicked, this, &WindowStatusBar::safetyWanted);
   connect(problems_, &QToolButton::clicked, this, &WindowStatusBar::problemsWanted);
   setSession(nullptr);
 }

@@ -14,7 +14,6 @@ class QToolButton;
 namespace mapwright::window {
 
 class PlainLabel;
-class SafetyBadge;
 
 /// A bar of 4 px showing progress.
 class ThinBar : public QWidget {
@@ -72,12 +71,10 @@ class WindowStatusBar : public QStatusBar {
   QString occupancyShown() const;
   QString scaleShown() const;
   QString rotationShown() const;
-  SafetyBadge* safety() const { return safety_; }
   QToolButton* problemsButton() const { return problems_; }
 
  Q_SIGNALS:
   void problemsWanted();
-  void safetyWanted();
 
  private:
   void refreshConnection();
@@ -93,7 +90,6 @@ class WindowStatusBar : public QStatusBar {
   QElapsedTimer read_clock_;
   QTimer countdown_;
   StateLabel* connection_;
-  SafetyBadge* safety_;
   PlainLabel* loading_;
   ThinBar* bar_;
   PlainLabel* traffic_;
