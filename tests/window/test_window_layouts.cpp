@@ -19,7 +19,6 @@
 #include "test_program.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/safety_badge.h"
 #include "ui/kit/wrapping_row.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/maps_dock.h"
@@ -135,6 +134,18 @@ class TestWindowLayouts : public QObject {
                                           .arg(window.view()->width())
                                           .arg(window.view()->height())
                                           .arg(kept)));
+  }
+
+  void whatSavesIsInViewInEveryLayoutOfASmallScreen() {
+    WaypointsDesk desk;
+    desk.start();
+    desk.window->resize(1366, 768);
+    for (const char* layout : kLayouts) {
+      showAnew(desk, layout);
+      desk.bringUp();
+      const QPushButton* const save = desk.dock().saveButton();
+      QTRY_VERIFY2(save->visibleRegion().boundingRect() == save->rect(), layout);
+    }
   }
 
   void everyTabCanBeRead_data() {
@@ -442,8 +453,6 @@ class TestWindowLayouts : public QObject {
       part<Notices>(window)->set(rank, {Mark::Bad, longest, longest, {}, true});
     for (auto* label : window.findChildren<PlainLabel*>()) label->setText(longest);
     for (auto* label : window.findChildren<StateLabel*>()) label->setState({Mark::Warning, longest});
-    for (auto* badge : window.findChildren<SafetyBadge*>())
-      badge->setSafety({Mark::Bad, false, longest, longest, longest});
     for (QWidget* part : window.statusBar()->findChildren<QWidget*>()) {
       part->show();
       if (auto* const button = qobject_cast<QToolButton*>(part)) button->setText(longest);

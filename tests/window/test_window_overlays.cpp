@@ -75,6 +75,18 @@ class TestWindowOverlays : public QObject {
                                 QStringLiteral("Name of the new property")}));
   }
 
+  void whatSavesAndDiscardsIsInViewOnASmallScreen() {
+    Desk desk;
+    desk.open();
+    desk.window->resize(1366, 768);
+    desk.action("layoutInspect")->trigger();
+    desk.action("resetLayout")->trigger();
+    desk.dock().show();
+    desk.dock().raise();
+    for (const QPushButton* button : {desk.dock().reviewButton(), desk.dock().discardButton()})
+      QTRY_VERIFY2(button->visibleRegion().boundingRect() == button->rect(), qPrintable(button->text()));
+  }
+
   void whatIsDraggedIsMovedAndNothingElse() {
     Desk desk;
     desk.open();

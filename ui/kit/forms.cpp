@@ -123,7 +123,18 @@ QVBoxLayout* columnOf(std::initializer_list<LayoutItem> items, int spacing, std:
   return laidOut<QVBoxLayout>(items, spacing, margins);
 }
 
-void setScrolledWidget(QDockWidget& dock, QWidget* body) { dock.setWidget(new Scrolled(body, &dock)); }
+void setScrolledWidget(QDockWidget& dock, QWidget* body, QWidget* below) {
+  auto* const scrolled = new Scrolled(body, &dock);
+  if (!below) return dock.setWidget(scrolled);
+  auto* const all = new QWidget(&dock);
+  all->setLayout(columnOf({{scrolled, 1}, below}, 0, QMargins()));
+  dock.setWidget(all);
+}
+
+bool isScrolled(const QDockWidget& dock) {
+  return qobject_cast<QScrollArea*>(dock.widget()) ||
+         dock.widget()->findChild<QScrollArea*>(QString(), Qt::FindDirectChildrenOnly);
+}
 
 QLabel* wrappedLabel(const QString& text, QWidget* parent) {
   auto* const label = new WrappedLabel(parent);

@@ -52,7 +52,9 @@ QHBoxLayout* rowOf(std::initializer_list<LayoutItem> items, int spacing = -1,
 QVBoxLayout* columnOf(std::initializer_list<LayoutItem> items, int spacing = -1,
                       std::optional<QMargins> margins = {});
 /// A body in a dock that scrolls upwards and downwards only, where there is less room than it needs at least.
-void setScrolledWidget(QDockWidget& dock, QWidget* body);
+/// `below`, if there is one, stays in view: what saves and discards.
+void setScrolledWidget(QDockWidget& dock, QWidget* body, QWidget* below = nullptr);
+bool isScrolled(const QDockWidget& dock);
 
 /// Plain text in as many lines as it needs.
 QLabel* wrappedLabel(const QString& text, QWidget* parent);

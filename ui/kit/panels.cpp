@@ -122,7 +122,7 @@ void Panels::add(QDockWidget* dock, const PanelPlace& place) {
   if (QWidget* const body = dock->widget()) {
     orderTabsAsLaidOut(*body);
     // What a dock needs at least must not keep the window from a small screen.
-    if (!qobject_cast<QScrollArea*>(body)) setScrolledWidget(*dock, body);
+    if (!isScrolled(*dock)) setScrolledWidget(*dock, body);
   }
   QAction* const toggle = dock->toggleViewAction();
   actions_.list({MenuGroup::Panels, place.menu_rank}, toggle);

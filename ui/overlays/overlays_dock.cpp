@@ -108,13 +108,12 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   split->setStretchFactor(1, 1);
   body_->setLayout(columnOf({{split, 1}}, 0, QMargins()));
   auto* const whole = new QWidget(this);
-  auto* const column =
-      columnOf({mode_row_, tool_row_, radius_row_, offer_box_, empty_, {body_, 1}}, 0, QMargins());
-  column->addLayout(
-      rowOf({discard_, history_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
-  whole->setLayout(column);
+  whole->setLayout(
+      columnOf({mode_row_, tool_row_, radius_row_, offer_box_, empty_, {body_, 1}}, 0, QMargins()));
   whole->setMinimumWidth(240);
-  setWidget(whole);
+  auto* const end = new QWidget(this);
+  end->setLayout(rowOf({discard_, history_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
+  setScrolledWidget(*this, whole, end);
 
   connect(discard_, &QPushButton::clicked, editing_, &OverlayEditing::revert);
   connect(review_, &QPushButton::clicked, this, &OverlaysDock::reviewWanted);

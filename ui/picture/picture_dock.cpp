@@ -9,7 +9,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -70,18 +69,13 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
   buildTidying(column);
   buildDecision(column);
   column->addStretch();
-  buildEnd(column);
   empty_->setContentsMargins(8, 4, 8, 4);
   empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* all = new QWidget(this);
   all->setLayout(columnOf({empty_, {body_, 1}}, -1, QMargins()));
   all->setMinimumWidth(220);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(all);
-  setWidget(scroll);
+  buildEnd();
+  setScrolledWidget(*this, all, end_);
   connect(editing_, &PictureEditing::stateChanged, this, &PictureDock::refresh);
   connect(tool_, &PictureTool::modeChanged, this, &PictureDock::refresh);
   refresh();
@@ -263,25 +257,27 @@ void PictureDock::buildDecision(QVBoxLayout* column) {
   connect(show, &QPushButton::clicked, this, &PictureDock::locateConflictWanted);
 }
 
-void PictureDock::buildEnd(QVBoxLayout* column) {
-  status_ = wrappedLabel({}, body_);
+void PictureDock::buildEnd() {
+  status_ = wrappedLabel({}, this);
   compare_ =
-      compactButton(tr("Before…"), body_,
+      compactButton(tr("Before…"), this,
                     tr("Compare the saved map with the current one, with a divider that can be dragged"));
-  copies_ = compactButton(tr("Copies…"), body_,
+  copies_ = compactButton(tr("Copies…"), this,
                           tr("What the robot had before it was overwritten; it can be put back"));
-  discard_ = compactButton(tr("Discard"), body_, tr("Restore the saved map; can be undone"));
-  save_ = compactButton(tr("Save"), body_);
+  discard_ = compactButton(tr("Discard"), this, tr("Restore the saved map; can be undone"));
+  save_ = compactButton(tr("Save"), this);
   save_->setIcon(themedIcon(QStringLiteral("save")));
-  stop_ = compactButton(tr("Stop"), body_, tr("Stop sending; the robot keeps its current picture"));
-  column->addWidget(status_);
-  column->addLayout(rowOf({compare_, copies_, LayoutItem::rest(), discard_, stop_, save_}, 6));
+  stop_ = compactButton(tr("Stop"), this, tr("Stop sending; the robot keeps its current picture"));
   connect(compare_, &QPushButton::clicked, this, &PictureDock::compareWanted);
   connect(copies_, &QPushButton::clicked, this, &PictureDock::copiesWanted);
   connect(discard_, &QPushButton::clicked, this, &PictureDock::discardWanted);
   connect(save_, &QPushButton::clicked, this, &PictureDock::saveWanted);
   connect(stop_, &QPushButton::clicked, this, &PictureDock::stopSavingWanted);
   setLocal(true);
+  end_ = new QWidget(this);
+  end_->setLayout(
+      columnOf({status_, rowOf({compare_, copies_, LayoutItem::rest(), discard_, stop_, save_}, 6)}, 6,
+               QMargins(8, 4, 8, 8)));
 }
 
 void PictureDock::setWhyNot(const QString& sentence) {
@@ -363,6 +359,7 @@ void PictureDock::refresh() {
   empty_->setVisible(!open);
   empty_->setText(why_not_);
   body_->setVisible(open);
+  end_->setVisible(open);
   if (!open) return;
   modes_[std::size_t(tool_->mode())]->setChecked(true);
   const std::array<QString, picture::kKinds> tips{tr("Free: where robots may drive"),

@@ -69,7 +69,7 @@ class PictureDock : public QDockWidget {
   void buildTidying(QVBoxLayout* column);
   void buildOffer(QVBoxLayout* column);
   void buildDecision(QVBoxLayout* column);
-  void buildEnd(QVBoxLayout* column);
+  void buildEnd();
   void refresh();
   QString statusText() const;
   QString previewText() const;
@@ -80,6 +80,7 @@ class PictureDock : public QDockWidget {
   bool saving_ = false;
   QLabel* empty_;
   QWidget* body_;
+  QWidget* end_ = nullptr;  // what saves and discards, below what scrolls
   std::array<QToolButton*, kPaintModes> modes_{};
   std::array<QToolButton*, picture::kKinds> kinds_{};
   QSpinBox* size_ = nullptr;

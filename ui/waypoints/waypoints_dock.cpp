@@ -83,12 +83,12 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
                             {table_, 1},
                             conflicts_,
                             form_,
-                            group_,
-                            buttons,
-                            status_},
+                            group_},
                            0, QMargins()));
   body->setMinimumWidth(220);
-  setWidget(body);
+  auto* end = new QWidget(this);
+  end->setLayout(columnOf({buttons, status_}, 0, QMargins()));
+  setScrolledWidget(*this, body, end);
 
   connect(add_, &QPushButton::clicked, this, &WaypointsDock::addWanted);
   connect(remove_, &QPushButton::clicked, editing_, &WaypointEditing::removeSelected);
