@@ -262,6 +262,9 @@ void MapSlot::fail(map::Problem problem) {
   // The finder may use another name for the map; recoveries refer to this slot's map.
   problem.subject = subject();
   if (problem.code == map::ProblemCode::Unspecified) problem.code = map::ProblemCode::Unavailable;
+  // A robot that does not send this map works as it should.
+  if (problem.failure == map::FailureKind::Unsupported && key_.kind == map::MapKind::Stored)
+    problem.severity = map::Severity::Info;
   cancel();
   phase_ = Phase::Failed;
   failure_ = problem.failure;

@@ -64,6 +64,8 @@ map::AlertsMessage alerts(std::vector<std::pair<int, std::string>> errors) {
 }
 
 /// Pixels of about the colour of errors.
+constexpr FaultCode kNoPlace{"test", "Its position is unknown."};
+
 int red(QWidget* widget) {
   const QImage image = widget->grab().toImage();
   int count = 0;
@@ -173,15 +175,12 @@ class TestWindowSafety : public QObject {
     Bench bench;
     MainWindow& window = openLive(bench);
     part<RobotDock>(window)->close();  // no panel is needed for it
-    QVERIFY(!part<WindowStatusBar>(window)->safety()->isVisible());
     QVERIFY(!part<MapOverlay>(window)->safetyNotice()->isVisible());
     const int red_before = red(part<ConnectionChip>(window));
     bench.robot->say(stop(true));
     QCOMPARE(part<ConnectionChip>(window)->safety().badge, QStringLiteral("Emergency stop"));
     QTRY_VERIFY(red(part<ConnectionChip>(window)) > red_before + 50);
     QVERIFY(part<ConnectionChip>(window)->accessibleName().contains(QLatin1String("Emergency stop")));
-    QVERIFY(part<WindowStatusBar>(window)->safety()->isVisible());
-    QVERIFY(red(part<WindowStatusBar>(window)->safety()) > 50);
     QVERIFY(part<MapOverlay>(window)->safetyNotice()->isVisible());
     QVERIFY(part<MapOverlay>(window)->safetyNotice()->sentence().startsWith(
         QLatin1String("Emergency stop pressed since ")));
@@ -190,7 +189,6 @@ class TestWindowSafety : public QObject {
     QVERIFY(part<RobotDock>(window)->isVisible());
     bench.robot->say(stop(false));
     QVERIFY(part<ConnectionChip>(window)->safety().badge.isEmpty());
-    QVERIFY(!part<WindowStatusBar>(window)->safety()->isVisible());
     QVERIFY(!part<MapOverlay>(window)->safetyNotice()->isVisible());
     QTRY_COMPARE(red(part<ConnectionChip>(window)), red_before);
   }
@@ -227,8 +225,6 @@ class TestWindowSafety : public QObject {
     QCOMPARE(state->text(), QStringLiteral("positioning, reliable"));  // as soon as the robot says so
     bench.robot->goAway(QStringLiteral("connection refused"));
     QVERIFY(part<ConnectionChip>(window)->safety().greyed);
-    QVERIFY(part<WindowStatusBar>(window)->safety()->isVisible());
-    QCOMPARE(red(part<WindowStatusBar>(window)->safety()), 0);
     QCOMPARE(red(part<MapOverlay>(window)->safetyNotice()), 0);
     QVERIFY(part<MapOverlay>(window)->safetyNotice()->sentence().startsWith(QLatin1String("As of ")));
     QVERIFY(part<MapOverlay>(window)->notice()->isVisible());  // and that the link is lost
@@ -237,7 +233,6 @@ class TestWindowSafety : public QObject {
     QVERIFY(state->text().startsWith(QLatin1String("positioning, reliable (as of ")));
     bench.robot->goOnline();
     QVERIFY(!part<ConnectionChip>(window)->safety().greyed);
-    QVERIFY(red(part<WindowStatusBar>(window)->safety()) > 50);
     QVERIFY(!state->secondary());
     QCOMPARE(state->text(), QStringLiteral("positioning, reliable"));
   }
@@ -249,7 +244,6 @@ class TestWindowSafety : public QObject {
     window.leaveRobot();
     QVERIFY(part<ConnectionChip>(window)->safety().badge.isEmpty());
     QVERIFY(!part<MapOverlay>(window)->safetyNotice()->isVisible());
-    QVERIFY(!part<WindowStatusBar>(window)->safety()->isVisible());
   }
 
   void itFitsASmallWindowWhateverIsSaid() {
@@ -260,14 +254,29 @@ class TestWindowSafety : public QObject {
     for (int i = 0; i < 500; ++i) many.emplace_back(2'000'000'000 + i, std::string(5000, 'm'));
     bench.robot->say(alerts(many));
     bench.robot->say(stop(true));
-    QCOMPARE(part<WindowStatusBar>(window)->safety()->safety().badge, QStringLiteral("Emergency stop +500"));
+    QCOMPARE(part<ConnectionChip>(window)->safety().badge, QStringLiteral("Emergency stop +500"));
     QCoreApplication::processEvents();
     QCOMPARE(window.width(), 1366);
     QVERIFY2(window.minimumSizeHint().width() <= 1366,
              qPrintable(QString::number(window.minimumSizeHint().width())));
-    QVERIFY(part<WindowStatusBar>(window)->safety()->width() >=
-            part<WindowStatusBar>(window)->safety()->sizeHint().width());
     QCOMPARE(part<MapOverlay>(window)->safetyNotice()->width(), window.view()->width());
+  }
+
+  void whatIsNotInItsPlaceIsSaidAboveTheMap() {
+    Bench bench;
+    MainWindow& window = openLive(bench);
+    NoticeBar* const strip = part<MapOverlay>(window)->placeNotice();
+    const map::Subject topic(map::SubjectKind::Topic, "/scan");
+    Q_EMIT bench.robot->problemFound({map::Severity::Warning, topic, kNoPlace, map::ProblemCode::Unplaced});
+    QTRY_VERIFY(strip->isVisible());
+    QVERIFY(strip->sentence().contains(QLatin1String("/scan")));
+    Q_EMIT bench.robot->recovered({topic, map::ProblemCode::Unplaced});
+    QTRY_VERIFY(!strip->isVisible());
+    // What is odd explains a map without a robot, and is a matter of the list otherwise.
+    Q_EMIT bench.robot->problemFound({map::Severity::Warning, topic, kNoPlace, map::ProblemCode::Odd});
+    QTRY_VERIFY(strip->isVisible());
+    bench.robot->say(map::TrackedPose{{1, 2, 0}});
+    QTRY_VERIFY(!strip->sentence().contains(QLatin1String("/scan")));
   }
 
   void theRobotIsHiddenInAMapThatItIsNotIn() {

@@ -57,6 +57,65 @@ class TestWindowWaypoints : public QObject {
              qPrintable(desk.dock().statusShown()));
   }
 
+  void anOpenMapThatIsDeletedByOthersSaysSoAndCanBeKept() {
+    Desk desk;
+    desk.start();
+    auto& robot = *desk.robot;
+    NoticeBar* const strip = part<MapOverlay>(*desk.window)->notice();
+    const auto deleted = [&] {
+      return strip->isVisible() && strip->sentence().contains(QLatin1String("not on the robot"));
+    };
+    Q_EMIT robot.mapsChanged();
+    QTRY_VERIFY(!desk.window->session()->catalogue().loading());
+    QVERIFY(!deleted());
+    const auto kept = robot.maps.entries;
+    robot.maps.entries.erase(robot.maps.entries.begin());
+    Q_EMIT robot.mapsChanged();
+    QTRY_VERIFY(deleted());
+    QVERIFY2(strip->sentence().contains(QLatin1String("Ground floor")), qPrintable(strip->sentence()));
+    QCOMPARE(strip->offerButton()->text(), QStringLiteral("Export it…"));
+    QVERIFY(desk.window->session()->wholeMap().cells());
+    robot.maps.entries = kept;
+    Q_EMIT robot.mapsChanged();
+    QTRY_VERIFY(!deleted());
+  }
+
+  void namesKeepClearOfTheHandleAndOfTheHint() {
+    struct Shown {
+      QImage picture;
+      std::vector<QRectF> covered;
+    };
+    const auto shown = [](const std::string& name, bool at_hint) {
+      Desk desk;
+      desk.store.points = {waypoint("a", 1, 1, name)};
+      desk.store.points[0].yaw_rad = 0;  // to where names stand
+      desk.start();
+      desk.take();
+      desk.editing().select({"a"});
+      QCoreApplication::processEvents();
+      const auto frames = desk.window->view()->findChildren<QFrame*>(QStringLiteral("furniture"));
+      const auto hint = std::find_if(frames.begin(), frames.end(), [](const QFrame* frame) {
+        return frame->testAttribute(Qt::WA_TransparentForMouseEvents);
+      });
+      const QRectF hint_area = (*hint)->geometry();
+      std::vector<QRectF> covered = desk.control().tool()->covered();
+      if (at_hint) {
+        const QPointF to = hint_area.center() - QPointF(hint_area.width() / 2 + 12, 0);
+        const QPointF by = to - QPointF(desk.px(1, 1));
+        desk.window->view()->moveTo(desk.window->mapScene()->view().pannedBy({by.x(), by.y()}), false);
+        covered = {hint_area};
+      }
+      [&] { QTRY_VERIFY(desk.window->mapScene()->settled()); }();
+      return Shown{part<ExportController>(*desk.window)->mapPicture(), covered};
+    };
+    for (const bool at_hint : {false, true}) {
+      const Shown named = shown("Loading dock", at_hint), nameless = shown("", at_hint);
+      QVERIFY(named.picture != nameless.picture && !named.covered.empty());
+      for (const QRectF& area : named.covered)
+        QCOMPARE(named.picture.copy(area.toRect()), nameless.picture.copy(area.toRect()));
+    }
+  }
+
   void aClickAddsOneAndOffersItsName() {
     Desk desk;
     desk.start();
@@ -668,6 +727,10 @@ class TestWindowWaypoints : public QObject {
     QTRY_VERIFY(notice->isVisible());
     QVERIFY2(notice->sentence().contains(QLatin1String("only sends its current map")),
              qPrintable(notice->sentence()));
+    // Once is enough.
+    QCOMPARE(desk.toasts(), QStringList());
+    QVERIFY(!part<MapOverlay>(*desk.window)->placeNotice()->isVisible());
+    QCOMPARE(desk.window->session()->problems().unresolved(), 0);
   }
 
   void theMenuOfTheMapAddsOneWhereItWasOpened() {

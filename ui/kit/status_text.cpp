@@ -11,6 +11,7 @@
 #include "robot/robot.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "session/lacks_picture.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
@@ -170,7 +171,9 @@ QString mapProgressText(const session::MapSlot& slot) {
       return QCoreApplication::translate("window", "Reading %1 %2 %")
           .arg(name, QString::number(int(slot.progress() * 100)));
     case session::MapSlot::Phase::Failed:
-      return QCoreApplication::translate("window", "%1 failed").arg(name);
+      return session::lacksPicture(slot)
+                 ? QCoreApplication::translate("window", "%1, without its picture").arg(name)
+                 : QCoreApplication::translate("window", "%1 failed").arg(name);
     case session::MapSlot::Phase::Empty:
     case session::MapSlot::Phase::Ready:
       break;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "map/whereabouts.h"
 #include "regions/region_map.h"
 #include "sentences/problem_sentence.h"
 #include "session/lacks_picture.h"
@@ -56,7 +57,9 @@ void MapsController::setSession(session::Session* session) {
   fitted_.reset();
   export_when_read_.reset();
   changed_.reset();
+  listed_.reset();
   if (!session) return;
+  connect(&session->catalogue(), &session::Catalogue::changed, this, &MapsController::refreshNotice);
   connect(&session->wholeMap(), &session::MapSlot::changed, this, &MapsController::noteChange);
   connect(&session->robot(), &robot::Robot::mapsChanged, this, &MapsController::noteOtherFile);
   if (catalogueComesFirst()) context_.panels.suggest(dock_);
@@ -128,6 +131,22 @@ void MapsController::noteChange() {
   if (wanted) Q_EMIT exportWanted();
 }
 
+QString MapsController::deletedMap(const session::Session& session) {
+  const session::Catalogue& catalogue = session.catalogue();
+  if (catalogue.loading() || catalogue.failure() || session.robot().isLocal()) return {};
+  const session::MapSlot& slot = session.wholeMap();
+  const map::MapKey& shown = slot.shown().key;
+  const bool gone = listed_ && !catalogue.find(listed_->key);
+  const QString called = gone ? mapCalled(QString::fromStdString(listed_->name), listed_->key) : QString();
+  if (gone && slot.cells() && shown == listed_->key) return called;
+  // Another one took its place at once.
+  if (gone) context_.overlay.toasts()->add(Mark::Warning, tr("%1 is not on the robot any more.").arg(called));
+  listed_.reset();
+  const map::CatalogueEntry* const entry = slot.cells() ? catalogue.find(shown) : nullptr;
+  if (entry && shown.kind != map::MapKind::Live) listed_ = *entry;
+  return {};
+}
+
 void MapsController::noteOtherFile() {
   if (std::exchange(own_change_, false)) return;
   const session::Session* const session = context_.current.session();
@@ -154,6 +173,7 @@ void MapsController::fitNew() {
 void MapsController::refreshNotice() {
   session::Session* const session = context_.current.session();
   const MapsInView in_view = mapsInView(context_.scene);
+  const QString deleted = session ? deletedMap(*session) : QString();
   if (!session || !in_view.whole) return context_.notices.clear(NoticeRank::Map);
   const session::MapSlot& slot = session->wholeMap();
   const QString sentence =
@@ -163,9 +183,22 @@ void MapsController::refreshNotice() {
   if (session::lacksPicture(slot) && !emptyState(session, in_view)) {
     context_.notices.set(
         NoticeRank::Map,
-        {Mark::Warning, tr("%1 Its waypoints are shown without it.").arg(sentence), {}, {}, true});
+        {Mark::Warning,
+         (context_.scene.robotPlace().where == map::Whereabouts::Elsewhere
+              ? tr("%1 Its waypoints are shown without it. The robot is in another map and hidden.")
+              : tr("%1 Its waypoints are shown without it."))
+             .arg(sentence),
+         {},
+         {},
+         true});
   } else if (slot.phase() == session::MapSlot::Phase::Failed && !emptyState(session, in_view)) {
     context_.notices.set(NoticeRank::Map, {Mark::Bad, sentence, tr("Retry"), retry});
+  } else if (!deleted.isEmpty()) {
+    context_.notices.set(
+        NoticeRank::Map,
+        {Mark::Warning,
+         tr("%1 is not on the robot any more. It stays on screen until you open another map.").arg(deleted),
+         tr("Export it…"), [this] { Q_EMIT exportWanted(); }, true});
   } else if (slot.phase() == session::MapSlot::Phase::Ready && slot.remark()) {
     context_.notices.set(NoticeRank::Map,
                          {Mark::Warning, sentence, slot.broken() ? tr("Retry") : QString(), retry, true});

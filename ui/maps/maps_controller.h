@@ -39,6 +39,8 @@ class MapsController : public Controller {
   void openToExport(const map::MapKey& key);
   void noteChange();
   void noteOtherFile();
+  /// What the map on screen is called if the robot listed it and does not any more; otherwise empty.
+  QString deletedMap(const session::Session& session);
   void fitNew();
   void refreshNotice();
 
@@ -47,6 +49,7 @@ class MapsController : public Controller {
   /// The next whole map was requested by the user: show all of it.
   bool fit_next_ = false;
   bool own_change_ = false;
+  std::optional<map::CatalogueEntry> listed_;  // of what is on screen, when the robot last listed it
   std::optional<map::MapKey> fitted_;
   std::optional<map::MapKey> export_when_read_;
   /// What was on screen when its file changed, which is being read.

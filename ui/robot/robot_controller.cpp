@@ -1,6 +1,11 @@
 #include "ui/robot/robot_controller.h"
 
+#include <algorithm>
+
 #include "map/whereabouts.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
+#include "session/lacks_picture.h"
 #include "session/makes_new_map.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
@@ -9,6 +14,7 @@
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -19,7 +25,6 @@ RobotController::RobotController(WindowContext& context, QObject* parent)
     if (comesFirst(context_.current.session())) context_.panels.suggest(dock_);
   });
   const auto open = [this] { context_.panels.open(dock_); };
-  connect(&context_.bar, &WindowStatusBar::safetyWanted, this, open);
   connect(context_.overlay.safetyNotice(), &NoticeBar::offerTaken, this, open);
   NoticeBar* const place = context_.overlay.placeNotice();
   connect(place, &NoticeBar::offerTaken, this, &RobotController::changePlace);
@@ -40,8 +45,13 @@ bool RobotController::comesFirst(session::Session* session) const {
 void RobotController::setSession(session::Session* session) {
   dock_->setSession(session);
   if (comesFirst(session)) context_.panels.suggest(dock_);
-  if (session)
-    connect(&session->safety(), &session::SafetyWatch::changed, this, &RobotController::refreshSafety);
+  if (!session) return;
+  connect(&session->safety(), &session::SafetyWatch::changed, this, &RobotController::refreshSafety);
+  connect(session, &session::Session::problemsChanged, this, &RobotController::refreshPlace);
+  connect(session, &session::Session::liveChanged, this, [this](int what) {
+    const bool says = !context_.overlay.placeNotice()->sentence().isEmpty();
+    if (says && what == map::topicIndex<map::TrackedPose>()) refreshPlace();
+  });
 }
 
 void RobotController::refreshSafety() {
@@ -49,7 +59,6 @@ void RobotController::refreshSafety() {
   if (session::Session* const session = context_.current.session())
     state = {session->safety().conditions(), valuesAsOf(*session)};
   const SafetyText text = safetyText(state, QDateTime::currentDateTime());
-  context_.bar.safety()->setSafety(text);
   const std::size_t count = state.conditions.size();
   const QString offer = count > 1 ? tr("Show all %1").arg(countText(qint64(count))) : tr("Show");
   context_.overlay.safetyNotice()->setNotice(text.mark, text.sentence, offer, false, text.greyed);
@@ -72,6 +81,8 @@ void RobotController::refreshPlace() {
   const bool drawn = place.drawn != scene::ScreenPart::None;
   const QString show = tr("Show it anyway"), hide = tr("Hide it");
   using map::Whereabouts;
+  // One strip says it all (MapsController).
+  if (session::lacksPicture(session->wholeMap())) return sayPlace({}, {}, false);
   if (place.where == Whereabouts::Elsewhere && !drawn) {
     return sayPlace(
         afresh ? tr("The robot is making a new map, not this one. The robot and its sensor data are hidden.")
@@ -98,7 +109,21 @@ void RobotController::refreshPlace() {
             .arg(its.isEmpty() ? tr("its last map") : its),
         tr("Show them anyway"), false);
   }
-  sayPlace({}, {}, false);
+  sayPlace(lackOfPlace(*session), {}, true, Mark::Warning);
+}
+
+QString RobotController::lackOfPlace(const session::Session& session) {
+  const auto& rows = session.problems().rows();
+  const bool robot_is_drawn = session.live().robot_pose.has_value();
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const session::LoggedProblem& row) {
+    const map::ProblemCode code = row.problem.code;
+    return !row.resolved && row.problem.subject.kind == map::SubjectKind::Topic &&
+           row.problem.severity >= map::Severity::Warning &&
+           (code == map::ProblemCode::Unplaced || (code == map::ProblemCode::Odd && !robot_is_drawn));
+  });
+  if (found == rows.end()) return {};
+  return QStringLiteral("%1: %2").arg(words::plainName(sentences::nameOf(found->problem.subject)),
+                                      sentences::sentenceOf(found->problem));
 }
 
 void RobotController::changePlace() {

@@ -26,6 +26,8 @@ class RobotController : public Controller {
   bool comesFirst(session::Session* session) const;
   void refreshSafety();
   void refreshPlace();
+  /// Why what a topic sends, or the robot, is not drawn in its place on the map; empty: it is.
+  static QString lackOfPlace(const session::Session& session);
   void sayPlace(const QString& sentence, const QString& offer, bool closable, Mark mark = Mark::Neutral);
   void changePlace();
 
