@@ -165,7 +165,7 @@ void addClouds(Commands& commands) {
   command->add_option("-o,--output", args.output, help(Text::tr("Output file: .pcd, .ply or .csv")))
       ->required();
   command->add_flag("--ascii", args.ascii, help(Text::tr("Write the PCD file as text")));
-  command->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  addForce(*command, args.force);
   command->add_flag("--json", args.json, help(Text::tr("Print a summary on standard output")));
   addTimeout(*command, args.timeout_s);
   addReading(commands, command, shared, exportCloud);

@@ -2,10 +2,12 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include <CLI/CLI.hpp>
 
 #include "app/command_text.h"
+#include "app/output.h"
 
 namespace mapwright::app {
 
@@ -25,9 +27,26 @@ void inherit(RobotArguments& args, const Invocation& before) {
   if (access.ca_file.empty()) access.ca_file = outer.ca_file;
 }
 
+namespace {
+
+/// A sentence if --report is a file that the command was given to read.
+std::optional<QString> whyNoReportThere(const CLI::App& command) {
+  const CLI::Option* const report = command.get_option_no_throw("--report");
+  if (!report || report->empty()) return std::nullopt;
+  std::vector<std::string> words;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option != report) words.insert(words.end(), option->results().begin(), option->results().end());
+  }
+  return reportOverSource(QString::fromStdString(report->results().back()), words);
+}
+
+}  // namespace
+
 std::optional<int> Commands::run(const Invocation& before) const {
   for (const auto& [command, run] : runs_) {
-    if (command->parsed()) return run(before);
+    if (!command->parsed()) continue;
+    if (const auto why = whyNoReportThere(*command)) return refuse(kUsage, *why);
+    return run(before);
   }
   return std::nullopt;
 }
@@ -61,6 +80,10 @@ void addReport(CLI::App& command, std::string& path) {
   command.add_option("--report", path, help(Text::tr("Write a summary and all warnings as JSON")));
 }
 
+void addForce(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, help(Text::tr("Replace an existing file")));
+}
+
 void addJson(CLI::App& command, bool& json) {
   command.add_flag("--json", json, help(Text::tr("Print JSON")));
 }
@@ -90,6 +113,20 @@ std::optional<std::vector<double>> numbersFrom(const std::string& typed) {
     numbers.push_back(number);
   }
   return numbers;
+}
+
+void nameTypes(CLI::App& app) {
+  static const std::map<std::string, const char*> types{
+      {"--secret-file", "FILE"}, {"--ca-file", "FILE"}, {"--report", "FILE"},      {"--output", "FILE"},
+      {"--diff", "FILE"},        {"--mask", "FILE"},    {"--base", "FILE"},        {"--image", "FILE"},
+      {"file", "FILE"},          {"files", "FILE"},     {"suite", "FILE"},         {"expected", "FILE"},
+      {"actual", "FILE"},        {"folder", "DIR"},     {"--resolution", "FLOAT"}, {"--radius", "FLOAT"},
+      {"number", "INT"}};
+  for (CLI::Option* option : app.get_options()) {
+    const auto type = types.find(option->get_name());
+    if (type != types.end() && option->get_type_name() == "TEXT") option->type_name(type->second);
+  }
+  for (CLI::App* command : app.get_subcommands({})) nameTypes(*command);
 }
 
 void refuseOddWords(CLI::App& app) {

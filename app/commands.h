@@ -15,7 +15,7 @@
 
 namespace CLI {
 class App;
-}
+}  // namespace CLI
 
 namespace mapwright::app {
 
@@ -88,6 +88,9 @@ void addAccess(CLI::App& command, AccessArguments& access);
 void addTimeout(CLI::App& command, double& timeout_s, const QString& about = {});
 /// --report
 void addReport(CLI::App& command, std::string& path);
+/// --force, of what people edit or cannot make again; pictures and reports are replaced without it
+/// (whyNotCreated()).
+void addForce(CLI::App& command, bool& force);
 /// --json
 void addJson(CLI::App& command, bool& json);
 
@@ -97,6 +100,9 @@ std::optional<QString> whyNoTimeout(double timeout_s);
 bool isDecimal(const std::string& word);
 /// "1,-0.5, 2": decimal numbers separated by commas, absolute values up to 1e9; nullopt = anything else.
 std::optional<std::vector<double>> numbersFrom(const std::string& typed);
+/// Names the types of the options of `app` and its subcommands that are typed as text and are files or
+/// numbers.
+void nameTypes(CLI::App& app);
 /// Makes every option of `app` and its subcommands refuse empty values, and numeric ones anything but decimal
 /// numbers ("nan", "inf", "0x10" and "5 m" are refused).
 void refuseOddWords(CLI::App& app);

@@ -260,7 +260,9 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
                    "interrupted download goes on"),
           mapsDownload);
   download->add_option("id", args->id, help(Text::tr("Id of a stored map")))->required();
-  download->add_option("-o,--output", args->folder, help(Text::tr("The folder for its files")))->required();
+  download->add_option("-o,--output", args->folder, help(Text::tr("The folder for its files")))
+      ->required()
+      ->type_name("DIR");
   download->add_flag("--force", args->force, help(Text::tr("Replace the map in the folder")));
   CLI::App* const upload = add("upload", Text::tr("Add a downloaded map to the maps of a robot"), mapsUpload);
   upload->add_option("folder", args->folder, help(Text::tr("The folder of a finished download")))->required();

@@ -378,7 +378,10 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   const bool png = format == QLatin1String("png");
   const auto form = formOf(args, output, png);
   if (!form) return wrong(form.error());
-  if (const auto why = whyNotWritable(output)) return wrong(*why);
+  const auto files = png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer;
+  for (const QString& file : jobs::exportedFiles(output, files, args.world_file, form->mode)) {
+    if (const auto why = whyNotCreated(file, args.force)) return wrong(*why);
+  }
   if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
   std::optional<map::GridRegion> region;
   const bool live = args.id.empty() || args.id == "live";
@@ -395,12 +398,8 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
   const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(args.id), resolutionOf(args));
   if (!placed) return passOn(placed);
-  const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
-                                    png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
-                                    output, args.world_file, *form};
-  const QStringList outputs = jobs::exportedFiles(output, request.format, args.world_file, form->mode);
-  const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
-  if (why && !args.force) return wrong(*why);
+  const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference}, files, output,
+                                    args.world_file, *form};
   if (const auto missing = whyMissing(args, *placed)) return wrong(*missing);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
@@ -520,8 +519,8 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
   if (!args.place.empty()) {
     const robot::MapAdministration* const maps = (*robot)->session().robot().mapAdministration();
     if (maps && !maps->loadAsksForPlace())
-      return (*robot)->failure(kUsage,
-                               Text::tr("--waypoint: this robot is not told where it stands. Leave it out."));
+      return (*robot)->failure(
+          kUsage, Text::tr("--waypoint: this robot takes no place when it loads a map. Leave it out."));
   }
   if (change == MapChange::Load) order.place = args.place;
   if (names(change) && (*robot)->session().catalogue().offered()) {
@@ -608,8 +607,7 @@ void addMaps(Commands& commands) {
                    help(Text::tr("Output file: NAME.png, or NAME.yaml / NAME.pgm (both); - writes "
                                  "a PNG to the standard output")))
       ->required();
-  exported->add_flag("--force", args.force,
-                     help(Text::tr("Overwrite a file even if the map was read from it")));
+  addForce(*exported, args.force);
   exported->add_option("--format", args.format, help(Text::tr("png or pgm, if the file name does not say")));
   exported->add_flag("--world-file", args.world_file,
                      help(Text::tr("Also write a world file: NAME.pgw of a PNG, NAME.wld of a PGM")));

@@ -93,6 +93,11 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
   return Text::tr("%1 is a file that the map is read from. Pass --force to replace it.").arg(own);
 }
 
+std::optional<QString> reportOverSource(const QString& report, const std::vector<std::string>& sources) {
+  if (jobs::firstOwnSource({report}, sources).isEmpty()) return std::nullopt;
+  return Text::tr("%1 is a file that this command reads. Choose another one for --report.").arg(report);
+}
+
 std::optional<QString> whyNotCreated(const QString& path, bool force,
                                      const std::vector<std::string>& sources) {
   if (auto why = whyNotWritable(path)) return why;

@@ -58,8 +58,11 @@ std::optional<QString> whyNotWritable(const QString& path);
 std::optional<QString> whyNotTogether(const QStringList& outputs);
 /// A sentence if one of `outputs` is a file that was read, through any path or link.
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources);
-/// Why a new file cannot be written: one of the sentences above, there is one already and no `force`, or it
-/// is one of the recordings `sources` that are read meanwhile, `force` or not. A stream is written into.
+/// A sentence if --report is one of `sources`, which the command reads.
+std::optional<QString> reportOverSource(const QString& report, const std::vector<std::string>& sources);
+/// Why a file that people edit or cannot make again (all but pictures and reports) cannot be written: one of
+/// the sentences above, there is one already and no `force`, or it is one of the recordings `sources` that
+/// are read meanwhile, `force` or not. A stream is written into.
 std::optional<QString> whyNotCreated(const QString& path, bool force,
                                      const std::vector<std::string>& sources = {});
 

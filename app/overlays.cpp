@@ -145,7 +145,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   return kDone;
 }
 
-/// Whether the robot holds what was wanted now; null: it cannot be told.
+/// Whether the robot holds what was wanted now; null: nobody knows.
 QJsonValue appliedIn(const jobs::OverlayOutcome& outcome, bool wanted) {
   if (!wanted || !outcome.merge.conflicts.empty()) return false;
   if (outcome.unreadable.any()) return {};
@@ -182,8 +182,8 @@ QString doubtOf(const jobs::OverlayOutcome& outcome) {
       sentences << Text::tr("What the others changed was overwritten, and cannot be seen any more.");
   } else if (outcome.between == Between::Unknown) {
     sentences << Text::tr(
-        "The robot does not count the versions of its overlays: whether somebody else changed them meanwhile "
-        "cannot be told.");
+        "The robot does not count the versions of its overlays, so somebody else may have changed them "
+        "meanwhile.");
   }
   if (!outcome.differs.empty())
     sentences << Text::tr("The robot holds something else than was sent (%1).")
@@ -272,9 +272,7 @@ CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args
     return wrong(Text::tr("Only one of the files can be the standard input."));
   const QString output = text(args.output);
   if (!output.isEmpty()) {
-    if (const auto why = whyNotWritable(output)) return wrong(*why);
-    if (const auto why = overOwnSource({output}, {args.file, args.base}); why && !args.force)
-      return wrong(*why);
+    if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
   }
   if (const auto why =
           whyNotTogether({output, text(args.report), args.json ? QStringLiteral("-") : QString()}))
@@ -459,10 +457,11 @@ void addHistory(Commands& commands, CLI::App& overlays, const std::shared_ptr<Ov
       addOffline("show", Text::tr("Show what a version changed, or write it to a file"), historyShow);
   addNumber(show);
   show->add_option("--against", args.against,
-                   help(Text::tr("Compare with this version, not with the one before it")));
+                   help(Text::tr("Compare with this version, not with the one before it")))
+      ->type_name("INT");
   show->add_option("-o,--output", args.output,
                    help(Text::tr("Write the version as GeoJSON; - is the standard output")));
-  show->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  addForce(*show, args.force);
   CLI::App* const restore =
       addReading(commands, *history, "restore",
                  Text::tr("Replace what the robot holds by a version, and say what changes"),
@@ -493,7 +492,7 @@ void addOverlays(Commands& commands) {
                       overlaysGet);
   get->add_option("-o,--output", args.output, help(Text::tr("GeoJSON file; - is the standard output")))
       ->required();
-  get->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  addForce(*get, args.force);
   const auto addFiles = [&](CLI::App* command) {
     command->add_option("file", args.file, help(Text::tr("The edited GeoJSON file; - is the standard input")))
         ->required();
@@ -513,7 +512,7 @@ void addOverlays(Commands& commands) {
       add("plan", Text::tr("Show what set would change and what conflicts; sends nothing"), overlaysPlan);
   addFiles(plan);
   plan->add_option("-o,--output", args.output, help(Text::tr("Write it as JSON; - is the standard output")));
-  plan->add_flag("--force", args.force, help(Text::tr("Overwrite one of the files that were read")));
+  addForce(*plan, args.force);
   CLI::App* validate =
       add("validate", Text::tr("Check a file, or what the robot holds; exit code 1 when there are flaws"),
           overlaysValidate);

@@ -298,7 +298,7 @@ void addRecord(Commands& commands) {
       "record", help(Text::tr("Record what a robot sends to a file, including its maps")));
   addRobot(*command, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
   command->add_option("-o,--output", args.output, help(Text::tr("The MCAP file to write")))->required();
-  command->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  addForce(*command, args.force);
   command
       ->add_option(
           "--duration", args.duration_s,

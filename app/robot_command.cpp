@@ -403,10 +403,12 @@ bool RobotCommand::complete() const {
 
 int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work) {
   if (const auto why = whyNoTimeout(time_.timeout_s)) return refuse(kUsage, *why);
+  const QString robot = words::text(args_.robot);
+  if (const auto why = reportOverSource(report_path_, sourceFilesOf(robot, {}, {})))
+    return refuse(kUsage, *why);
   Deadline deadline(
       later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
-      [connected = connected_, path = report_path_, timeout_s = time_.timeout_s,
-       robot = oneLine(words::text(args_.robot))] {
+      [connected = connected_, path = report_path_, timeout_s = time_.timeout_s, robot = oneLine(robot)] {
         const QString sentence =
             *connected
                 ? Text::tr("Incomplete: the command did not finish within %1 s (--timeout).").arg(timeout_s)
@@ -445,6 +447,9 @@ int RobotCommand::end(CommandResult<int> result) const {
     report[QStringLiteral("warnings")] = QJsonArray::fromStringList(warnings);
   }
   if (!done_.isEmpty()) report[done_name_] = done_;
+  for (const auto& reading : readings_) {
+    if (const auto why = reportOverSource(report_path_, reading->sourceFiles())) return refuse(kUsage, *why);
+  }
   if (!report_path_.isEmpty()) {
     if (const auto problem = writeReport(report_path_, report)) return refuse(kUsage, *problem);
   }

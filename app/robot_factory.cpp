@@ -19,6 +19,8 @@
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/local_maps.h"
+#include "robot/files/overlay_file.h"
+#include "robot/files/waypoint_file.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_probe.h"
@@ -278,7 +280,13 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
 
 std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
                                        const std::string& picture) {
-  return jobs::sourceFiles(knownAddresses(), address, id, picture, robot::files::yamlsNaming);
+  std::vector<std::string> files =
+      jobs::sourceFiles(knownAddresses(), address, id, picture, robot::files::yamlsNaming);
+  for (std::size_t i = 0, maps = files.size(); i < maps; ++i) {
+    files.push_back(robot::files::waypointPathOf(files[i]));
+    files.push_back(robot::files::overlayPathOf(QString::fromStdString(files[i])).toStdString());
+  }
+  return files;
 }
 
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin) {

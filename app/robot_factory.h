@@ -33,7 +33,8 @@ std::vector<robot::Probe> probesOf(const robot::Host& host);
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
                                                                DemoTime demo_time);
 
-/// The local files that a map is read from, including the map.yaml of a picture; none for a robot.
+/// The local files that a map is read from, including the map.yaml of a picture, its waypoints and overlays;
+/// none for a robot.
 std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
                                        const std::string& picture);
 

@@ -517,6 +517,7 @@ void addSuite(Commands& commands) {
         "--expected", args->expected, help(Text::tr("The folder of the expected pictures and their facts")));
     auto* const report = command->add_option(
         "--report", args->report, help(Text::tr("The folder for the report and the pictures that differ")));
+    for (CLI::Option* const folder : {expected, report}) folder->type_name("DIR");
     if (one.deed != SuiteDeed::List) expected->required();
     if (one.deed == SuiteDeed::Run) report->required();
     command->add_option("--only", args->only, help(Text::tr("Only this view; may be repeated")))

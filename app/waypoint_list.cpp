@@ -12,11 +12,9 @@
 #include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/output.h"
-#include "app/robot_factory.h"
 #include "disk/read_file.h"
 #include "exchange/waypoint_file.h"
 #include "exchange/waypoint_json.h"
-#include "robot/files/waypoint_file.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -229,13 +227,6 @@ tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& pa
   if (wanted->unit_guessed)
     wanted->notes << Text::tr("Pass --angles degrees or --angles radians to be sure.");
   return wanted;
-}
-
-std::vector<std::string> waypointSources(const std::string& address, const map::MapKey& key) {
-  std::vector<std::string> sources = sourceFilesOf(text(address), key.id, {});
-  for (std::size_t i = 0, maps = sources.size(); i < maps; ++i)
-    sources.push_back(robot::files::waypointPathOf(sources[i]));
-  return sources;
 }
 
 DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::Waypoint>& points,

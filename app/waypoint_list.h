@@ -71,9 +71,6 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
 exchange::WantedFile readWantedFile(const std::string& path, const std::string& format,
                                     const std::string& angles);
 
-/// The local files that the map `key` and its waypoints are read from; none for a robot.
-std::vector<std::string> waypointSources(const std::string& address, const map::MapKey& key);
-
 struct DoubtfulWaypoints {
   std::vector<placing::Warnings> of;  // one entry per waypoint, in the same order
   /// What cannot be checked, and why, as a sentence; empty = everything was checked.

@@ -99,12 +99,10 @@ CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArgumen
   const QString output = text(args.output);
   const auto kind = waypointFileKind(args.output, args.format);
   if (!kind) return wrong(kind.error());
-  if (const auto why = whyNotWritable(output)) return wrong(*why);
+  if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
   if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
   const auto list = listWaypoints(command, args.map, Use::Reading);
   if (!list) return passOn(list);
-  if (const auto why = overOwnSource({output}, waypointSources(args.robot, list->map)); why && !args.force)
-    return wrong(*why);
   const std::string bytes =
       *kind == WaypointFileKind::Csv
           ? exchange::waypointsCsv(list->stored.points, list->mapId())
@@ -363,7 +361,7 @@ CommandResult<int> waypointsImport(RobotCommand& command, const WaypointsArgumen
 CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments& args) {
   const QString output = text(args.output);
   if (!output.isEmpty()) {
-    if (const auto why = whyNotWritable(output)) return wrong(*why);
+    if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
   }
   const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
@@ -376,9 +374,6 @@ CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments
   const auto edits = wantedEdits(*list, *wanted, args, exchange::Others::Go);
   if (!edits) return passOn(edits);
   if (!output.isEmpty()) {
-    std::vector<std::string> sources = waypointSources(args.robot, list->map);
-    if (args.file != "-") sources.push_back(args.file);
-    if (const auto why = overOwnSource({output}, sources); why && !args.force) return wrong(*why);
     const exchange::WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
                                       exchange::itemsOf(list->stored.points), *edits};
     const QByteArray bytes = exchange::planBytes(plan, callsOf(*list, *edits));
@@ -510,9 +505,7 @@ void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsArg
                        help(Text::tr("degrees or radians, for headings whose name has no unit; by default "
                                      "radians unless one is more than a full turn")));
   }
-  if (is("export", "plan"))
-    command.add_flag("--force", args.force,
-                     help(Text::tr("Overwrite a file even if the waypoints were read from it")));
+  if (is("export", "plan")) addForce(command, args.force);
   if (is("apply"))
     command.add_flag("--force", args.force,
                      help(Text::tr("Apply it even to a map that the plan was not made for")));

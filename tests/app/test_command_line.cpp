@@ -328,7 +328,7 @@ class CommandLineTest : public QObject {
       return std::pair(outcome, report);
     };
     for (const char* line :
-         {"snapshot -o s.png --report r.json", "maps export submaps -o e.png --report r.json",
+         {"snapshot -o s.png --report r.json", "maps export submaps --force -o e.png --report r.json",
           "maps diff submaps submaps --report r.json"}) {
       const auto [outcome, report] = perform(line);
       QVERIFY2(outcome.code == code, qPrintable(QLatin1String(line) + outcome.err + outcome.out));

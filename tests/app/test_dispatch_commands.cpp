@@ -50,7 +50,8 @@ class DispatchCommandsTest : public QObject {
   }
   QString file(const char* name) const { return folder_.filePath(text(name)); }
   Ran exportRegion(const QString& output, const char* region) const {
-    return ask({text("maps"), text("export"), text("--region"), text(region), text("-o"), output});
+    return ask(
+        {text("maps"), text("export"), text("--region"), text(region), text("--force"), text("-o"), output});
   }
 
   /// A picture of a region and nothing on it.

@@ -54,7 +54,7 @@ class KabamWaypointsTest : public QObject {
              QByteArray::number(at(rows[i], "yaw_rad").toDouble(), 'g', 17) + '\n';
     }
     put("ring.csv", csv);
-    const Outcome plan = run("plan ring.csv -o plan.json");
+    const Outcome plan = run("plan ring.csv -o plan.json --force");
     QVERIFY2(plan.code == 0, qPrintable(plan.err));
   }
   static QStringList namesOf(const QJsonArray& rows) {
@@ -121,7 +121,7 @@ class KabamWaypointsTest : public QObject {
     QCOMPARE(timesCalled("rename_waypoint") + timesCalled("reposition_waypoint"), 0);
 
     put("two.csv", "id,name,x,y,yaw_rad\n" + at(before[0], "id").toString().toUtf8() + ",One,1,1,0.7\n");
-    QVERIFY(run("plan two.csv -o plan.json").code == 0);
+    QVERIFY(run("plan two.csv -o plan.json --force").code == 0);
     QCOMPARE(run("apply plan.json").code, 2);  // it deletes nearly all
     QCOMPARE(namesOf(listed()).size(), before.size());
     QCOMPARE(run("apply plan.json --yes").code, 0);
@@ -157,7 +157,7 @@ class KabamWaypointsTest : public QObject {
     QByteArray csv = "id,name,x,y\n";
     for (const QJsonValue& row : before) csv += at(row, "id").toString().toUtf8() + ",,,\n";
     put("more.csv", csv + ",One,1,1\n,Two,2,1\n,Three,3,1\n");
-    QCOMPARE(run("plan more.csv -o plan.json").code, 0);
+    QCOMPARE(run("plan more.csv -o plan.json --force").code, 0);
     for (int time = 0; time < 3; ++time) {
       const Outcome applied = run("apply plan.json --json");
       QVERIFY2(applied.code == 0, qPrintable(applied.err));
@@ -221,7 +221,7 @@ class KabamWaypointsTest : public QObject {
       csv += at(before[i], "id").toString().toUtf8() + ",\"" + name.toUtf8().replace("\"", "\"\"") + "\"\n";
     }
     put("mine.csv", csv);
-    QCOMPARE(run("plan mine.csv -o plan.json").code, 0);
+    QCOMPARE(run("plan mine.csv -o plan.json --force").code, 0);
     robot_->otherOperator();
     const Outcome renamed = run("apply plan.json");
     QCOMPARE(renamed.code, 4);

@@ -92,7 +92,7 @@ class MapExportTest : public QObject {
   void wallsThatAreLostAreCountedAloud() {
     for (const char* options : {"--map-mode raw", "--map-mode scale", "--occupied 0.9 --free 0.05"}) {
       const auto exported =
-          run(QStringLiteral("maps export --robot shaded.png --resolution 0.05 -o map.yaml %1")
+          run(QStringLiteral("maps export --robot shaded.png --resolution 0.05 -o map.yaml --force %1")
                   .arg(QLatin1String(options)));
       QCOMPARE(exported.code, 0);
       const auto served = test::servedMap(program_->path("map.yaml"), test::MapServer::Nav2);
@@ -158,7 +158,8 @@ class MapExportTest : public QObject {
 
   void whatIsMissingIsWrittenWhenAskedFor() {
     program_->put("short.pgm", "P5\n2000 2000\n255\n" + QByteArray(600 * 2000, '\xff'));
-    const QString line = QStringLiteral("maps export --robot short.pgm --resolution 0.05 -o out.yaml");
+    const QString line =
+        QStringLiteral("maps export --robot short.pgm --resolution 0.05 --force -o out.yaml");
     QCOMPARE(run(line).code, 2);
     const auto agreed = run(line + QStringLiteral(" --allow-missing"));
     QVERIFY2(agreed.code == 1, qPrintable(agreed.err));  // not complete

@@ -269,8 +269,8 @@ class OtherRobotsTest : public QObject {
     const QByteArray no = ScriptedRobot::reply(status, R"({"detail":"who are you"})");
     for (const char* path : {"/maps/", "/mappings/", "/maps/1", "/maps/1.png"}) robot.answers[path] = no;
     for (const char* command :
-         {"maps list", "maps show 1", "maps export 1 -o e.png", "snapshot --mode whole --map 1 -o p.png",
-          "snapshot --raw --mode whole --map 1 -o p.png"}) {
+         {"maps list", "maps show 1", "maps export 1 --force -o e.png",
+          "snapshot --mode whole --map 1 -o p.png", "snapshot --raw --mode whole --map 1 -o p.png"}) {
       const Outcome outcome =
           run(QLatin1String(command) + QStringLiteral(" --timeout 20 --robot ") + axbot(robot.url()));
       QVERIFY2(outcome.code == 3, qPrintable(QLatin1String(command) + outcome.err));
@@ -281,7 +281,7 @@ class OtherRobotsTest : public QObject {
         {"trajectory_id":0,"submap_index":0,"submap_version":1,"pose":{"x":0,"y":0,"z":0,"qx":0,"qy":0,"qz":0,"qw":1}},
         {"trajectory_id":0,"submap_index":1,"submap_version":1,"pose":{"x":1,"y":0,"z":0,"qx":0,"qy":0,"qz":0,"qw":1}}]})";
     robot.answers["/ros/slam/submaps/u/0/0"] = robot.answers["/ros/slam/submaps/u/0/1"] = no;
-    for (const char* command : {"maps export submaps -o e.png", "snapshot --mode submaps -o p.png"}) {
+    for (const char* command : {"maps export submaps --force -o e.png", "snapshot --mode submaps -o p.png"}) {
       const Outcome outcome =
           run(QLatin1String(command) + QStringLiteral(" --timeout 4 --robot ") + axbot(robot.url()));
       QVERIFY2(outcome.code == 3, qPrintable(QLatin1String(command) + outcome.err));

@@ -12,6 +12,8 @@
 #include <QTest>
 
 #include "program.h"
+#include "recording/append_file.h"
+#include "recording/mcap_writer.h"
 #include "test_program.h"
 
 namespace test_outputs {
@@ -48,6 +50,32 @@ class OutputsTest : public QObject {
     }
     return program_->runForBytes(arguments, means);
   }
+  /// Something of everything that commands read.
+  void makeSources() const {
+    program_->put("places.csv", "id,name,x,y,yaw_rad\nw1,Dock,1,1,0\n");
+    program_->put("map.waypoints.geojson", R"({"type":"FeatureCollection","features":[]})");
+    for (const char* overlays : {"map.overlays.geojson", "walls.geojson", "base.geojson"})
+      program_->put(overlays, R"({"type":"FeatureCollection","features":[]})");
+    program_->put("suite.yaml", "views:\n  - {name: view, robot: map.yaml, size: 64x64}\n");
+    QCOMPARE(run(words("snapshot --robot map.yaml --size 64x64 -o one.png")).code, 0);
+    QVERIFY(QFile::copy(at("one.png"), at("two.png")) &&
+            QDir(program_->folder()).mkdir(QStringLiteral("report")));
+    // Its overlays are version 1 of the history then.
+    QCOMPARE(run(words("overlays get --robot map.yaml -o first.geojson")).code, 0);
+    auto target = mapwright::recording::appendFile(at("run.mcap").toStdString(),
+                                                   mapwright::recording::Existing::Replace);
+    const auto writer = mapwright::recording::McapWriter::create(std::move(*target), {});
+    mapwright::recording::Channel channel;
+    channel.topic = "/tracked_pose";
+    channel.message_encoding = "json";
+    const auto id = *(*writer)->addChannel(channel);
+    const std::string text = R"({"topic":"/tracked_pose","pos":[1,2],"ori":0})";
+    for (std::int64_t at_ns = 1'700'000'000'000'000'000; at_ns <= 1'700'000'003'000'000'000;
+         at_ns += 500'000'000)
+      QVERIFY(!(*writer)->write(id, {at_ns, at_ns, 0},
+                                {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+    QVERIFY(!(*writer)->close());
+  }
 
  private Q_SLOTS:
   void init() {
@@ -71,9 +99,10 @@ class OutputsTest : public QObject {
     row("snapshot --robot map.yaml --size 64x64 --raw -o out.png", {png});
     row("snapshot --robot map.yaml --size 64x64 -o /dev/null --report out.json",
         {QStringLiteral("out.json")});
-    row("maps export --robot map.yaml -o out.png", {png});
-    row("maps export --robot map.yaml -o out.yaml", {QStringLiteral("out.yaml"), QStringLiteral("out.pgm")});
-    row("maps export --robot map.yaml -o out.png --world-file", {png, QStringLiteral("out.pgw")});
+    row("maps export --robot map.yaml --force -o out.png", {png});
+    row("maps export --robot map.yaml --force -o out.yaml",
+        {QStringLiteral("out.yaml"), QStringLiteral("out.pgm")});
+    row("maps export --robot map.yaml --force -o out.png --world-file", {png, QStringLiteral("out.pgw")});
     row("maps diff map.yaml map.yaml --diff out.png", {png});
   }
   void aFullDiskLeavesWhatWasThereAndIsExitCodeTwo() {
@@ -179,7 +208,6 @@ class OutputsTest : public QObject {
           "maps export --robot map.pgm --resolution 0.05 -o map.pgm",
           "maps export map.yaml --robot . -o map.yaml", "snapshot --robot map.yaml --size 64x64 -o map.pgm",
           "snapshot --robot map.yaml --size 64x64 --raw -o hard.pgm",
-          "snapshot --robot map.yaml --size 64x64 -o out.png --report link.yaml",
           "maps diff map.yaml other.yaml --diff other.pgm",
           "maps diff map.yaml other.yaml --diff map.yaml"}) {
       QTest::newRow(line) << QString::fromLatin1(line);
@@ -202,6 +230,101 @@ class OutputsTest : public QObject {
     QCOMPARE(read(at("other.pgm")), pgm);
     const Outcome forced = run(line.split(QLatin1Char(' ')) << QStringLiteral("--force"));
     QVERIFY2(forced.code == 0, forced.err.constData());
+  }
+
+  // What people edit or cannot make again is kept; pictures and reports are made anew.
+  void whatIsThereIsReplacedByForceOrNeedsNone_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<bool>("kept");
+    const auto row = [](const char* line, const char* file, bool kept) {
+      QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(file) << kept;
+    };
+    row("maps export --robot map.yaml -o out.png", "out.png", true);
+    row("maps export --robot map.yaml -o out.yaml", "out.yaml", true);
+    row("maps export --robot map.yaml -o out.yaml", "out.pgm", true);
+    row("maps export --robot map.yaml -o out.png --world-file", "out.pgw", true);
+    row("waypoints export --robot map.yaml -o out.csv", "out.csv", true);
+    row("waypoints plan places.csv --robot map.yaml -o out.json", "out.json", true);
+    row("overlays get --robot map.yaml -o out.geojson", "out.geojson", true);
+    row("overlays plan walls.geojson --base walls.geojson --robot map.yaml -o out.json", "out.json", true);
+    row("overlays history show 1 -o out.geojson", "out.geojson", true);
+    row("record --robot demo: --duration 1 -o out.mcap", "out.mcap", true);
+    row("clouds export --robot rep130+ws://127.0.0.1:1 --all -o out.pcd", "out.pcd", true);
+    row("bags export run.mcap -o out.mcap", "out.mcap", true);
+    row("bags export run.mcap -o out.jsonl", "out.jsonl", true);
+    row("bags track run.mcap -o out.csv", "out.csv", true);
+    row("bags download run --robot axbot+http://127.0.0.1:1 -o out.bag", "out.bag", true);
+    row("bags repair run.mcap -o out.mcap", "out.mcap", true);
+    row("bags split run.mcap --every 1 -o out%d.mcap", "out1.mcap", true);
+    row("bags merge run.mcap -o out.mcap", "out.mcap", true);
+    row("maps download 1 --robot demo: -o .", "map.json", true);
+    row("bags snapshot run.mcap --at 1700000001 --mode submaps -o out.png", "out.png", false);
+    row("bags report run.mcap --at 1700000001 -o out.html", "out.html", false);
+    row("bags film run.mcap --from 1700000001 --to 1700000002 --mode submaps -o out%d.png", "out1.png",
+        false);
+    row("snapshot --robot map.yaml --size 64x64 -o out.png", "out.png", false);
+    row("snapshot --robot map.yaml --size 64x64 -o /dev/null --report out.json", "out.json", false);
+    row("maps list --robot map.yaml --report out.json", "out.json", false);
+    row("maps diff map.yaml map.yaml --diff out.png", "out.png", false);
+    row("compare one.png one.png --diff out.png", "out.png", false);
+    row("suite run suite.yaml --expected . --report report", "report/junit.xml", false);
+    row("suite accept suite.yaml --expected .", "view.png", false);
+  }
+  void whatIsThereIsReplacedByForceOrNeedsNone() {
+    QFETCH(QString, line);
+    QFETCH(QString, file);
+    QFETCH(bool, kept);
+    makeSources();
+    const QByteArray before = "what was there";
+    put(file.toLatin1().constData(), before);
+    const Outcome first = run(line.split(QLatin1Char(' ')));
+    if (!kept) {
+      QVERIFY2(first.code == 0 || first.code == 1, first.err.constData());
+      QVERIFY(read(program_->path(file)) != before);
+      return;
+    }
+    QCOMPARE(first.code, 2);
+    QCOMPARE(first.err.count('\n'), 1);
+    QVERIFY2(first.err.contains("--force"), first.err.constData());
+    QCOMPARE(read(program_->path(file)), before);
+    const Outcome forced = run(line.split(QLatin1Char(' ')) << QStringLiteral("--force"));
+    QVERIFY2(!forced.err.contains("--force"), forced.err.constData());
+    if (forced.code != 3) QVERIFY(read(program_->path(file)) != before);  // no such robot
+  }
+
+  void aReportReplacesNothingThatTheCommandReads_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("file");
+    const auto row = [](const char* line, const char* file) {
+      QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(file);
+    };
+    row("maps list --robot map.yaml --report map.yaml", "map.yaml");
+    row("snapshot --robot map.yaml --size 64x64 -o out.png --report map.yaml", "map.yaml");
+    row("maps show --robot file:map.yaml --report map.yaml", "map.yaml");
+    row("maps show --robot map.yaml --report map.pgm", "map.pgm");
+    row("waypoints import places.csv --robot map.yaml --report places.csv", "places.csv");
+    row("waypoints list --robot map.yaml --report map.waypoints.geojson", "map.waypoints.geojson");
+    row("overlays set walls.geojson --base base.geojson --robot map.yaml --report base.geojson",
+        "base.geojson");
+    row("bags info run.mcap --report run.mcap", "run.mcap");
+    row("bags export run.mcap -o out.jsonl --report ./run.mcap", "run.mcap");
+    row("bags snapshot run.mcap --at 1700000001 --mode submaps -o run.mcap", "run.mcap");
+    row("bags snapshot run.mcap --at 1700000001 -o out.png --report run.mcap", "run.mcap");
+    row("bags report run.mcap --at 1700000001 -o run.mcap", "run.mcap");
+    row("snapshot --bag run.mcap --at 1700000001 --mode submaps -o run.mcap", "run.mcap");
+    row("compare one.png two.png --diff two.png", "two.png");
+  }
+  void aReportReplacesNothingThatTheCommandReads() {
+    QFETCH(QString, line);
+    QFETCH(QString, file);
+    makeSources();
+    const QByteArray before = read(program_->path(file));
+    QVERIFY(!before.isEmpty());
+    const Outcome outcome = run(line.split(QLatin1Char(' ')));
+    QCOMPARE(read(program_->path(file)), before);
+    QCOMPARE(outcome.code, 2);
+    QCOMPARE(outcome.err.count('\n'), 1);
   }
 
   void aBrokenSourceIsNotReplacedByTheReport() {

@@ -308,7 +308,7 @@ class WaypointsCommandTest : public QObject {
 
   void aPlanIsMadeAndApplied() {
     put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\n,New,9,9\n");
-    const Outcome planned = at(QStringLiteral("plan wanted.csv -o plan.json"));
+    const Outcome planned = at(QStringLiteral("plan wanted.csv -o plan.json --force"));
     QVERIFY2(planned.code == 0, qPrintable(planned.err));
     QVERIFY(planned.out.contains(QStringLiteral("rename")) && planned.out.contains(QStringLiteral("Dock")));
     QCOMPARE(kept(), QByteArray(kTwo));
@@ -341,7 +341,7 @@ class WaypointsCommandTest : public QObject {
 
   void aPlanThatDeletesMoreThanItKeepsWantsAYes() {
     put("wanted.csv", "id,name,x,y\n,New,9,9\n");
-    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
+    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json --force")).code, 0);
     const Outcome refused = at(QStringLiteral("apply plan.json"));
     QCOMPARE(refused.code, 2);
     QVERIFY2(refused.err.contains(QStringLiteral("deletes 2 of the 2 waypoints")) &&
@@ -355,7 +355,7 @@ class WaypointsCommandTest : public QObject {
 
   void whatOthersChangedIsAConflict() {
     put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\nw2,Pier,3,4\n");
-    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
+    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json --force")).code, 0);
     QCOMPARE(at(QStringLiteral("rename w1 Entry")).code, 0);
     const QByteArray before = kept();
     for (const char* line : {"apply plan.json --json", "apply plan.json --json --dry-run"}) {
@@ -443,7 +443,7 @@ class WaypointsCommandTest : public QObject {
   void aPlanBelongsToItsMap() {
     putMap("copy");
     put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\n");
-    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
+    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json --force")).code, 0);
     const Outcome elsewhere = run({QStringLiteral("apply"), QStringLiteral("plan.json"),
                                    QStringLiteral("--robot"), QStringLiteral("copy.yaml")});
     QVERIFY2(elsewhere.code == 2 && elsewhere.err.contains(QStringLiteral("--force")),
