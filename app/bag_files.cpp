@@ -36,15 +36,13 @@ tl::unexpected<CommandFailure> fileFailure(const disk::FileError& fault) {
 
 /// What to export, and where.
 struct ExportOrder {
-  excerpt::TimeSpan span;
   QString path, format;
+  excerpt::TimeSpan span = {};
 };
 
 /// The requested format, otherwise by the extension.
 CommandResult<ExportOrder> orderFrom(const BagsArguments& args, const QStringList& formats) {
-  const auto span = timeSpanFrom(args);
-  if (!span) return passOn(span);
-  ExportOrder order{*span, text(args.output), text(args.format).toLower()};
+  ExportOrder order{text(args.output), text(args.format).toLower()};
   const QString known = formats.join(QStringLiteral(", "));
   if (order.format.isEmpty()) {
     order.format = QFileInfo(order.path).suffix().toLower();
@@ -99,7 +97,7 @@ CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command,
   const auto sliced = excerpt::sliceRecording(path, excerptOf(args, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody cancels it
-  bags.noteUnknown(args.topics);
+  bags.noteNotFound(args.topics, order.span, done.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
   for (const Fault& loss : done.losses)
@@ -135,7 +133,7 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
 
 CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& args,
                                  const QStringList& formats) {
-  const auto order = orderFrom(args, formats);
+  auto order = orderFrom(args, formats);
   if (!order) return passOn(order);
   const auto recording = recordingOf(args);
   if (recording) {
@@ -148,6 +146,9 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   const auto replayed =
       bags.readThrough(args.name, lines ? BagReading::Texts::Whole : BagReading::Texts::Short);
   if (!replayed) return passOn(replayed);
+  const auto span = timeSpanFrom(args, *(*replayed)->info());
+  if (!span) return passOn(span);
+  order->span = *span;
   const excerpt::Order wanted = excerptOf(args, bags, *order);
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order->path))
@@ -164,7 +165,11 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   if (!read) return passOn(read);
   const auto done = (*writing)->place();
   if (!done) return fileFailure(done.error());
-  bags.noteUnknown(args.topics);
+  if (mcap || lines) {
+    bags.noteNotFound(args.topics, order->span, done->topics);
+  } else if (done->samples == 0 && order->span.limited()) {
+    bags.robot().lack(Text::tr("No position of the robot was found."));
+  }
   bags.noteUnreadable(order->span.to_s.value_or(HUGE_VAL), excerpt::readsFrom(wanted));
   const Told told = toldOf(*done, wanted.kind);
   tell(args, *order, command, told.json, told.sentence);
@@ -183,6 +188,20 @@ CommandResult<std::string> recordingFrom(const BagsArguments& args) {
   return parsed->path.toStdString();
 }
 
+/// From the first to the last message of all of them; those that cannot be opened are told of later.
+robot::BagInfo lastingFrom(const std::vector<std::string>& files) {
+  robot::BagInfo all;
+  for (const std::string& file : files) {
+    const auto opened = recording::openRecording(file);
+    const recording::Summary summary = opened ? (*opened)->summary() : recording::Summary();
+    if (!summary.start_ns || !summary.end_ns) continue;
+    const double start_s = double(*summary.start_ns) / 1e9, end_s = double(*summary.end_ns) / 1e9;
+    all.start_s = all.end_s > 0 ? std::min(all.start_s, start_s) : start_s;
+    all.end_s = std::max(all.end_s, end_s);
+  }
+  return all;
+}
+
 std::optional<QString> whyNotInto(const QString& path, const std::vector<std::string>& sources, bool force) {
   if (isStream(path)) return Text::tr("An MCAP file must be a regular file (-o FILE).");
   return whyNotCreated(path, force, sources);
@@ -195,18 +214,17 @@ bool isOfItsEnd(const Fault& loss) {
          loss.code == robot::recorded::fault::RecordingCutOff;
 }
 
-void tell(const BagsArguments& args, const QStringList& files, const excerpt::Written& done) {
-  QJsonArray losses;
-  for (const Fault& loss : done.losses) {
-    const QString sentence = sentences::sentenceOf(loss);
-    losses.append(sentence);
-    say(sentence);
-  }
+void tell(const BagsArguments& args, const QStringList& files, const excerpt::Written& done,
+          const QStringList& not_found = {}) {
+  QStringList losses;
+  for (const Fault& loss : done.losses) losses << sentences::sentenceOf(loss);
+  losses += not_found;
+  for (const QString& sentence : losses) say(sentence);
   if (args.json) {
     printJson(QJsonObject{{QStringLiteral("files"), QJsonArray::fromStringList(files)},
                           {QStringLiteral("messages"), qint64(done.messages)},
                           {QStringLiteral("attachments"), qint64(done.attachments)},
-                          {QStringLiteral("losses"), losses}});
+                          {QStringLiteral("losses"), QJsonArray::fromStringList(losses)}});
     return;
   }
   for (const QString& file : files) printLine(oneLine(file));
@@ -274,13 +292,15 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
     const auto next = (*opened)->messages(later)->next();
     at_ns = next ? std::optional(next->log_time_ns) : std::nullopt;
   }
-  excerpt::Written all;
   QStringList files;
   for (std::size_t number = 0; number < parts.size(); ++number) {
+    files << numbered(pattern, int(number));
+    if (const auto why = whyNotInto(files.back(), {*path}, args.force)) return wrong(*why);
+  }
+  excerpt::Written all;
+  for (std::size_t number = 0; number < parts.size(); ++number) {
     excerpt::Order order;
-    const QString file = numbered(pattern, int(number));
-    if (const auto why = whyNotInto(file, {*path}, args.force)) return wrong(*why);
-    order.path = file.toStdString();
+    order.path = files[qsizetype(number)].toStdString();
     order.topics = args.topics;
     // The first and the last part include everything up to the ends, in spite of rounding.
     if (number > 0) order.first_ns = startOf(parts[number]);
@@ -288,17 +308,18 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
     const auto made = slicing->slice(order);
     if (!made) return notOpened(made.error());
     all.messages += (*made)->messages;
+    all.topics.insert((*made)->topics.begin(), (*made)->topics.end());
     all.attachments = std::max(all.attachments, (*made)->attachments);
     all.losses = (*made)->losses;  // they concern the whole
-    files << file;
   }
-  tell(args, files, all);
-  return int(all.losses.empty() ? kDone : kIncomplete);
+  const QStringList not_found = notFound(args.topics, {}, all.topics);
+  tell(args, files, all, not_found);
+  return int(all.losses.empty() && not_found.isEmpty() ? kDone : kIncomplete);
 }
 
 CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
   if (const auto why = whyNotInto(text(args.output), args.files, args.force)) return wrong(*why);
-  const auto span = timeSpanFrom(args);
+  const auto span = timeSpanFrom(args, lastingFrom(args.files));
   if (!span) return passOn(span);
   excerpt::Order order;
   order.path = args.output;
@@ -306,8 +327,9 @@ CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
   order.topics = args.topics;
   const auto made = excerpt::mergeRecordings(args.files, order);
   if (!made) return notOpened(made.error());
-  tell(args, {text(args.output)}, *made);
-  return int(made->losses.empty() ? kDone : kIncomplete);
+  const QStringList not_found = notFound(args.topics, *span, made->topics);
+  tell(args, {text(args.output)}, *made, not_found);
+  return int(made->losses.empty() && not_found.isEmpty() ? kDone : kIncomplete);
 }
 
 }  // namespace mapwright::app

@@ -54,6 +54,11 @@ struct Place {
 tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmArguments& args) {
   auto place = std::make_unique<Place>();
   const QString output = text(args.picture.output);
+  if (isStream(output))
+    return tl::make_unexpected(
+        Text::tr("-o %1: a film must be a file (.mp4, .mkv or .webm), and its pictures "
+                 "are several files, for example frames/%05d.png.")
+            .arg(output));
   if (!isFilm(output)) {
     place->pattern = output;
     if (numbered(output, 0).isEmpty() || !output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
@@ -144,25 +149,24 @@ std::vector<double> filmTimes(double from_s, double to_s, double every_s) {
   return times;
 }
 
-tl::expected<std::vector<double>, QString> timesFrom(const FilmArguments& args) {
-  const auto from_s = timeFrom(args.from, QStringLiteral("--from"));
-  if (!from_s) return tl::make_unexpected(from_s.error().sentence);
-  const auto to_s = timeFrom(args.to, QStringLiteral("--to"));
-  if (!to_s) return tl::make_unexpected(to_s.error().sentence);
-  if (*to_s < *from_s) return tl::make_unexpected(Text::tr("--to is earlier than --from."));
-  if (!(args.every_s > 0)) return tl::make_unexpected(Text::tr("--every must be greater than 0 seconds."));
-  if (!(args.fps > 0 && args.fps <= kFastestFps))
-    return tl::make_unexpected(Text::tr("--fps must be greater than 0 and at most %1.").arg(kFastestFps));
+CommandResult<std::vector<double>> timesFrom(const FilmArguments& args) {
+  const QString robot = text(args.picture.robot);
+  const auto from_s = timeIn(args.picture, robot, args.name, args.from, QStringLiteral("--from"));
+  if (!from_s) return passOn(from_s);
+  const auto to_s = timeIn(args.picture, robot, args.name, args.to, QStringLiteral("--to"));
+  if (!to_s) return passOn(to_s);
+  if (*to_s < *from_s) return wrong(Text::tr("--to is earlier than --from."));
   if ((*to_s - *from_s) / args.every_s >= double(kMostPictures))
-    return tl::make_unexpected(
+    return wrong(
         Text::tr("That would be more than %1 pictures. Choose a longer --every.").arg(kMostPictures));
   return filmTimes(*from_s, *to_s, args.every_s);
 }
 
 /// Every picture is what `snapshot --bag NAME --at T` draws, all in the same view as the last one.
 int bagsFilm(const FilmArguments& args, int& argc, char** argv) {
-  const auto times = timesFrom(args);
-  if (!times) return refuse(kUsage, times.error());
+  if (!(args.every_s > 0)) return refuse(kUsage, Text::tr("--every must be greater than 0 seconds."));
+  if (!(args.fps > 0 && args.fps <= kFastestFps))
+    return refuse(kUsage, Text::tr("--fps must be greater than 0 and at most %1.").arg(kFastestFps));
   const auto place = placeFor(args);
   if (!place) return refuse(kUsage, place.error());
   SnapshotArguments picture = args.picture;
@@ -176,6 +180,8 @@ int bagsFilm(const FilmArguments& args, int& argc, char** argv) {
   OffscreenApplication application(argc, argv);
   const auto access = RobotAccess::read(args.picture.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
+  const auto times = timesFrom(args);
+  if (!times) return refuse(times.error().exit_code, times.error().sentence);
 
   // The last picture comes first: it shows everything, and its view is used for all of them.
   std::vector<std::size_t> order(times->size());
@@ -230,26 +236,28 @@ void addBagPictures(Commands& commands, CLI::App& bags) {
                   help(Text::tr("Name of the bag (see mapwright bags list), or a file; FILE?ns=/NAMESPACE is "
                                 "one robot of several")))
       ->required();
-  one->add_option("--at", args->at, help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
-      ->required();
+  addTime(*one, "--at", args->at, Needed::Yes);
   addSnapshotOptions(one, *args);
   commands.add(one, [args](const Invocation& before) { return snapshotOf(*args, before); });
 
   const auto film = std::make_shared<FilmArguments>();
   CLI::App* const many =
       bags.add_subcommand("film", help(Text::tr("Draw a bag at regular times, to PNG files or a video")));
-  const std::string time = help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
   many->add_option("name", film->name,
                    help(Text::tr("Name of the bag (see mapwright bags list), or a file; FILE?ns=/NAMESPACE "
                                  "is one robot of several")))
       ->required();
-  many->add_option("--from", film->from, time)->required();
-  many->add_option("--to", film->to, time)->required();
+  addTime(*many, "--from", film->from, Needed::Yes);
+  addTime(*many, "--to", film->to, Needed::Yes);
   many->add_option("--every", film->every_s, help(Text::tr("Seconds of the recording between two pictures")))
       ->capture_default_str();
   many->add_option("--fps", film->fps, help(Text::tr("Frames per second of the video")))
       ->capture_default_str();
   addSnapshotOptions(many, film->picture);
+  many->get_option("--output")
+      ->description(
+          help(Text::tr("The pictures, numbered: frames/%05d.png; or a video: .mp4, .mkv or .webm")));
+  many->remove_option(many->get_option("--report"));
   commands.add(many, [film](const Invocation& before) {
     takeRecording(film->picture.robot, film->name, before.robot);
     inherit(film->picture, before);

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <tuple>
 
-#include <QDateTime>
+#include <CLI/CLI.hpp>
 #include <QEventLoop>
 #include <QRegularExpression>
 #include <QTimer>
 
 #include "app/command_text.h"
+#include "incident/report.h"
 #include "map/failure.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
+#include "ui/replay/timeline_axis.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -37,25 +39,41 @@ tl::unexpected<CommandFailure> BagReading::failure(const map::Failure& failed) c
                                                       QString::fromStdString(sentences::sentenceOf(failed))));
 }
 
-CommandResult<double> timeFrom(const std::string& word, const QString& option) {
-  bool is_number = false;
-  const double seconds = text(word).toDouble(&is_number);
-  if (is_number && std::isfinite(seconds)) return seconds;
-  QDateTime time = QDateTime::fromString(text(word), Qt::ISODateWithMs);
-  if (time.isValid() && time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
-  if (time.isValid()) return double(time.toMSecsSinceEpoch()) / 1000;
-  return wrong(word.empty()
-                   ? Text::tr("%1 is required: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
-                   : Text::tr("%1 %2 is not a time: give seconds since 1970, or 2024-06-03T09:00:00Z.")
-                         .arg(option, text(word)));
+void addTime(CLI::App& command, const std::string& name, std::string& word, Needed needed) {
+  command
+      .add_option(
+          name, word,
+          help(Text::tr("A time of the recording: 2024-06-03T09:00:00Z or seconds since 1970; 09:00:00 "
+                        "(UTC) of its day; +90 or +1:30 after its start; -10 before its end")))
+      ->type_name("TIME")
+      ->required(needed == Needed::Yes)
+      ->check([](const std::string& typed) {
+        return isTime(typed) ? std::string()
+                             : help(Text::tr("%1 is not a time: give 2024-06-03T09:00:00Z, 09:00:00, "
+                                             "+1:30, -10 or seconds since 1970")
+                                        .arg(text(typed)));
+      });
 }
 
-CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args) {
+bool isTime(const std::string& word) {
+  constexpr double kSpanS = 4e9;  // any clock time is in there
+  return window::absoluteTimeTyped(text(word), 0) || window::timeTyped(text(word), 0, kSpanS);
+}
+
+CommandResult<double> timeFrom(const std::string& word, const QString& option, const robot::BagInfo& bag) {
+  if (const auto at_s = window::absoluteTimeTyped(text(word), bag.start_s)) return *at_s;
+  if (bag.messages.value_or(0) == 0 && bag.end_s <= 0) return wrong(Text::tr("It contains no messages."));
+  if (const auto at_s = window::timeTyped(text(word), bag.start_s, bag.end_s)) return *at_s;
+  return wrong(Text::tr("%1 %2 is not within the recording: it lasts from %3 to %4 UTC.")
+                   .arg(option, text(word), incident::utcText(bag.start_s), incident::utcText(bag.end_s)));
+}
+
+CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args, const robot::BagInfo& bag) {
   excerpt::TimeSpan span;
   for (const auto& [word, option, value] :
        {std::tuple(&args.from, "--from", &span.from_s), std::tuple(&args.to, "--to", &span.to_s)}) {
     if (word->empty()) continue;
-    const auto time = timeFrom(*word, QString::fromLatin1(option));
+    const auto time = timeFrom(*word, QString::fromLatin1(option), bag);
     if (!time) return passOn(time);
     *value = *time;
   }
@@ -64,8 +82,22 @@ CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args) {
   return span;
 }
 
-CommandResult<BagReading> BagReading::open(RobotCommand& command) {
-  auto opened = command.open(RobotReading::Purpose::Bags);
+CommandResult<double> timeIn(const RobotArguments& args, const QString& address, const std::string& bag,
+                             const std::string& word, const QString& option) {
+  constexpr double kAnyYearS = 1e9;
+  if (const auto at_s = window::absoluteTimeTyped(text(word), kAnyYearS)) return *at_s;
+  RobotCommand look(args);
+  auto bags = BagReading::open(look, address);
+  if (!bags) return passOn(bags);
+  const auto info = bags->robot().ask<robot::BagInfo>([&](robot::OutcomeTo<robot::BagInfo> reply) {
+    return bags->library().info(bags->keyOf(bag), std::move(reply));
+  });
+  if (!info) return bags->failure(info.error());
+  return timeFrom(word, option, *info);
+}
+
+CommandResult<BagReading> BagReading::open(RobotCommand& command, const QString& address) {
+  auto opened = command.open(RobotReading::Purpose::Bags, address);
   if (!opened) return passOn(opened);
   BagReading reading;
   reading.robot_ = *opened;
@@ -188,14 +220,20 @@ CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
   return moment;
 }
 
-void BagReading::noteUnknown(const std::vector<std::string>& topics) {
-  const std::vector<robot::BagTopic> known =
-      reading_->info() ? reading_->info()->topics : std::vector<robot::BagTopic>();
+void BagReading::noteNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
+                              const std::set<std::string>& found) {
+  for (const QString& sentence : notFound(topics, span, found)) robot_->lack(sentence);
+}
+
+QStringList notFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
+                     const std::set<std::string>& found) {
+  if (topics.empty() && found.empty() && span.limited()) return {Text::tr("No message was found.")};
+  QStringList sentences;
   for (const std::string& topic : topics) {
-    const bool there = std::any_of(known.begin(), known.end(),
-                                   [&](const robot::BagTopic& one) { return one.name == topic; });
-    if (!known.empty() && !there) robot_->lack(Text::tr("It has no topic %1.").arg(words::plainName(topic)));
+    if (!found.contains(topic))
+      sentences << Text::tr("No message of %1 was found.").arg(words::plainName(topic));
   }
+  return sentences;
 }
 
 void BagReading::noteUnreadable(double until_s, std::optional<double> from_s) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@
 
 namespace mapwright::app {
 
-/// The options as typed; empty = not given. Times are seconds since the epoch, or ISO 8601.
+/// The options as typed; empty = not given. Times: timeFrom().
 struct BagsArguments : RobotArguments {
   BagsArguments() { timeout_s = 300; }
   std::string name;                        // of a bag or a recording (mapwright bags list)
@@ -35,7 +36,7 @@ struct BagsArguments : RobotArguments {
 class BagReading {
  public:
   /// Connects to the robot of the command; requests only its bags, without needing a live connection.
-  static CommandResult<BagReading> open(RobotCommand& command);
+  static CommandResult<BagReading> open(RobotCommand& command, const QString& address = {});
 
   RobotReading& robot() const { return *robot_; }
   robot::BagLibrary& library() const { return *library_; }
@@ -62,8 +63,9 @@ class BagReading {
   CommandResult<void> readWhole();
   /// The exact state at `at_s`.
   CommandResult<replay::Moment> momentAt(double at_s);
-  /// Notes topics that a file does not contain. Robots only report topics that they have sent.
-  void noteUnknown(const std::vector<std::string>& topics);
+  /// Notes what was asked for and is not there: notFound().
+  void noteNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
+                    const std::set<std::string>& found);
   /// Notes messages before `until_s` that could not be read or have no time stamp, and the parts of the bag
   /// from `from_s` to there that the robot refused.
   void noteUnreadable(double until_s, std::optional<double> from_s = {});
@@ -81,11 +83,23 @@ class BagReading {
       std::make_shared<std::map<double, std::int64_t>>();
 };
 
-/// Seconds since the epoch, or ISO 8601 (without a zone: UTC). The error names the option.
-CommandResult<double> timeFrom(const std::string& word, const QString& option);
-
+/// Adds an option for a time of a recording; words that can be none are refused.
+enum class Needed { No, Yes };
+void addTime(CLI::App& command, const std::string& name, std::string& word, Needed needed = Needed::No);
+/// Such a time of `bag`, as it is typed in the window (window::timeTyped); with its day, or in seconds since
+/// 1970, it may lie outside. The error names the option.
+CommandResult<double> timeFrom(const std::string& word, const QString& option, const robot::BagInfo& bag);
 /// --from and --to.
-CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args);
+CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args, const robot::BagInfo& bag);
+/// False: it is no time of any recording.
+bool isTime(const std::string& word);
+/// The same in a bag of the robot at `address`, which is asked when the bag begins and ends if need be.
+CommandResult<double> timeIn(const RobotArguments& args, const QString& address, const std::string& bag,
+                             const std::string& word, const QString& option);
+
+/// Sentences on what was asked for and is not there: these topics, or anything within these times.
+QStringList notFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
+                     const std::set<std::string>& found);
 
 /// "frames/%05d.png" and 7 -> "frames/00007.png"; empty where there is no %d, %0Nd or more than one.
 QString numbered(const QString& pattern, int number);

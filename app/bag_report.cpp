@@ -29,26 +29,26 @@ reporting::ReportOrder::Part partOf(const QString& address, const std::string& b
 /// OTHER@TIME, or OTHER.
 struct OtherRun {
   std::string bag;
-  std::optional<double> at_s;
+  std::string at;
 };
 OtherRun otherRunFrom(const std::string& typed) {
   const std::size_t split = typed.rfind('@');
-  if (split == std::string::npos || QFileInfo::exists(words::text(typed))) return {typed, std::nullopt};
-  const auto at_s = timeFrom(typed.substr(split + 1), {});
-  return at_s ? OtherRun{typed.substr(0, split), *at_s} : OtherRun{typed, std::nullopt};
+  if (split == std::string::npos || QFileInfo::exists(words::text(typed))) return {typed, {}};
+  const std::string at = typed.substr(split + 1);
+  return isTime(at) ? OtherRun{typed.substr(0, split), at} : OtherRun{typed, {}};
 }
 
 }  // namespace
 
 CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) {
-  const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
-  if (!at_s) return passOn(at_s);
   const QString address = words::text(args.robot), path = words::text(args.output);
   if (address.isEmpty())
     return wrong(Text::tr(
         "Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in simulated robot."));
   const auto access = RobotAccess::read(args.access, address);
   if (!access) return wrong(access.error());
+  const auto at_s = timeIn(args, address, args.name, args.at, QStringLiteral("--at"));
+  if (!at_s) return passOn(at_s);
   reporting::ReportOrder order{partOf(address, args.name, *access, *at_s), std::nullopt, path};
   QStringList sources{address};
   if (!args.against.empty()) {
@@ -63,13 +63,18 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
     if (robot.empty())
       return wrong(Text::tr("--against %1: there is no such file.").arg(words::plainName(args.against)));
     sources << words::text(robot);
-    order.against = partOf(words::text(robot), other.bag, *access, other.at_s);
+    order.against = partOf(words::text(robot), other.bag, *access, std::nullopt);
+    if (!other.at.empty()) {
+      const auto then_s = timeIn(args, words::text(robot), other.bag, other.at, QStringLiteral("--against"));
+      if (!then_s) return passOn(then_s);
+      order.against->at_s = *then_s;
+    }
   }
   std::vector<std::string> files;
   for (const QString& source : sources) {
     if (source.startsWith(kFileScheme)) files.push_back(source.mid(kFileScheme.size()).toStdString());
   }
-  if (const auto why = whyNotCreated(path, args.force, files)) return wrong(*why);
+  if (const auto why = whyNotCreated(path, true, files)) return wrong(*why);
   if (const auto why = whyNotTogether({path, args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
 

@@ -166,11 +166,12 @@ CommandResult<int> bagsRecord(RobotCommand& command, const BagsArguments& args) 
 
 /// The messages of a range between two times. False: the output accepts no more.
 bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
-                 const std::vector<std::string>& topics) {
+                 const std::vector<std::string>& topics, std::set<std::string>& found) {
   for (std::size_t place = 0; place < chunk.order.size(); ++place) {
     const robot::BagMessage& message = chunk.at(place);
     if (!span.holds(message.message.received_s)) continue;
     if (!excerpt::isOneOf(topics, message.message.topic)) continue;
+    found.insert(message.message.topic);
     if (!printOut(excerpt::jsonLine(chunk.source->textOf(message)) + "\n")) return false;
   }
   return true;
@@ -188,40 +189,42 @@ std::optional<QString> noMapIn(const BagReading& bags, const replay::Moment& mom
 }
 
 CommandResult<int> bagsFrames(RobotCommand& command, const BagsArguments& args) {
-  const auto span = timeSpanFrom(args);
-  if (!span) return passOn(span);
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   const auto replayed = opened->readThrough(args.name, BagReading::Texts::Whole);
   if (!replayed) return passOn(replayed);
+  const auto span = timeSpanFrom(args, *(*replayed)->info());
+  if (!span) return passOn(span);
   bool taken = true;
+  std::set<std::string> found;
   const auto read =
       opened->readRanges(span->from_s, span->to_s, [&](const replay::Chunk& chunk) -> CommandResult<void> {
-        taken = printFrames(chunk, *span, args.topics);
+        taken = printFrames(chunk, *span, args.topics, found);
         // Stops reading if nobody takes the output; the reason is reported at the end.
         if (!taken) return wrong({});
         return {};
       });
   if (!taken) return kUsage;
   if (!read) return passOn(read);
-  opened->noteUnknown(args.topics);
+  opened->noteNotFound(args.topics, *span, found);
   opened->noteUnreadable(span->to_s.value_or(HUGE_VAL), span->from_s);
   return kDone;
 }
 
 CommandResult<int> bagsState(RobotCommand& command, const BagsArguments& args) {
-  const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
-  if (!at_s) return passOn(at_s);
-  std::optional<double> from_s;
-  if (!args.from.empty()) {
-    const auto time = timeFrom(args.from, QStringLiteral("--from"));
-    if (!time) return passOn(time);
-    from_s = *time;
-  }
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   const auto replayed = opened->replay(args.name);
   if (!replayed) return passOn(replayed);
+  const robot::BagInfo bag = *(*replayed)->info();
+  const auto at_s = timeFrom(args.at, QStringLiteral("--at"), bag);
+  if (!at_s) return passOn(at_s);
+  std::optional<double> from_s;
+  if (!args.from.empty()) {
+    const auto time = timeFrom(args.from, QStringLiteral("--from"), bag);
+    if (!time) return passOn(time);
+    from_s = *time;
+  }
   // Plays from there: looks at each range on the way.
   while (from_s && *from_s < *at_s) {
     const auto moment = opened->momentAt(*from_s);
@@ -232,7 +235,6 @@ CommandResult<int> bagsState(RobotCommand& command, const BagsArguments& args) {
   }
   const auto moment = opened->momentAt(*at_s);
   if (!moment) return passOn(moment);
-  const robot::BagInfo bag = (*replayed)->info().value_or(robot::BagInfo());
   const std::optional<QString> no_map = noMapIn(*opened, *moment);
   if (args.json) {
     QJsonObject state = stateJson(*at_s, *moment, bag);
@@ -327,7 +329,6 @@ std::vector<BagCommand> bagCommands() {
 
 void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& args) {
   const auto is = [&](auto... names) { return ((name == names) || ...); };
-  const std::string time = help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
   if (is("merge"))
     command.add_option("files", args.files, help(Text::tr("Recordings on this computer")))->required();
   if (!is("list", "record", "merge"))
@@ -336,8 +337,8 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
                     help(Text::tr("Name of the bag (see mapwright bags list), or a file; FILE?ns=/NAMESPACE "
                                   "is one robot of several")))
         ->required();
-  if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", args.from, time);
-  if (is("frames", "export", "track", "merge")) command.add_option("--to", args.to, time);
+  if (is("frames", "state", "export", "track", "merge")) addTime(command, "--from", args.from);
+  if (is("frames", "export", "track", "merge")) addTime(command, "--to", args.to);
   if (is("frames", "export", "split", "merge"))
     command
         .add_option("--topic", args.topics,
@@ -351,7 +352,7 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
                        name == "export"
                            ? help(Text::tr("mcap or jsonl; by default taken from the file name"))
                            : help(Text::tr("csv, geojson or tum; by default taken from the file name")));
-    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+    addForce(command, args.force);
   }
   if (is("repair", "split", "merge")) {
     command
@@ -359,7 +360,7 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
                     is("split") ? help(Text::tr("Names of the MCAP files, with a number: part-%03d.mcap"))
                                 : help(Text::tr("The MCAP file to write")))
         ->required();
-    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+    addForce(command, args.force);
   }
   if (is("split"))
     command.add_option("--every", args.every_s, help(Text::tr("Length of each part in seconds")))
@@ -368,7 +369,7 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
     command.add_option(
         "--kind", args.kinds,
         help(Text::tr("Only these, separated by commas: alerts, planner, position, maps, stops")));
-  if (is("state", "report")) command.add_option("--at", args.at, time)->required();
+  if (is("state", "report")) addTime(command, "--at", args.at, Needed::Yes);
   if (is("report")) {
     command.add_option(
         "--against", args.against,
@@ -376,12 +377,11 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
                       "same place")));
     command.add_option("-o,--output", args.output, help(Text::tr("The HTML file; - is the standard output")))
         ->required();
-    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
   }
   if (is("download")) {
     command.add_option("-o,--output", args.output,
                        help(Text::tr("Output file; by default named after the bag")));
-    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+    addForce(command, args.force);
   }
   if (is("delete"))
     command.add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));

@@ -294,8 +294,7 @@ void addSnapshotBag(CLI::App* command, SnapshotArguments& args) {
   command->add_option("--bag", args.bag,
                       help(Text::tr("Draw recorded data: the name of a bag, or a file, with --at; "
                                     "FILE?ns=/NAMESPACE is one robot of several")));
-  command->add_option("--at", args.at,
-                      help(Text::tr("Time in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+  addTime(*command, "--at", args.at);
 }
 
 std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px) {
@@ -322,10 +321,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
   if (args.bag.empty() != args.at.empty())
     return wrong(Text::tr("--bag NAME and --at TIME must be used together."));
   if (!args.bag.empty()) {
-    const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
-    if (!at_s) return wrong(at_s.error().sentence);
     options.bag = args.bag;
-    options.at_s = *at_s;
+    options.at = args.at;
   }
   if (args.mode == "submaps") {
     options.mode = SnapshotMode::Submaps;

@@ -35,8 +35,8 @@ enum class SnapshotMode { Automatic, Submaps, Whole };
 
 struct SnapshotOptions {
   QString robot, output, report;
-  std::string bag;             // its name; empty = the live robot
-  std::optional<double> at_s;  // of a bag: seconds since the epoch
+  std::string bag, at;         // its name (empty = the live robot) and a time in it as typed
+  std::optional<double> at_s;  // that time: seconds since the epoch; nullopt: the bag is not open yet
   SnapshotMode mode = SnapshotMode::Automatic;
   std::optional<map::MapKey> map;  // nullopt = the live or the current one
   bool average = false;            // when zoomed out: average instead of "occupied wins"

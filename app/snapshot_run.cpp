@@ -222,8 +222,16 @@ bool SnapshotRun::drawsScansAlone() const {
 
 bool SnapshotRun::recalled() {
   if (!replayed_->at()) {
-    const QString why =
-        incident::whyNotWithin(options_.bag, *replayed_->reading()->info(), *options_.at_s, !isLocal());
+    const robot::BagInfo& bag = *replayed_->reading()->info();
+    if (!options_.at_s) {
+      const auto at_s = timeFrom(options_.at, QStringLiteral("--at"), bag);
+      if (!at_s) {
+        fail(at_s.error().exit_code, at_s.error().sentence);
+        return false;
+      }
+      options_.at_s = *at_s;
+    }
+    const QString why = incident::whyNotWithin(options_.bag, bag, *options_.at_s, !isLocal());
     if (!why.isEmpty()) {
       fail(kUsage, why);
       return false;

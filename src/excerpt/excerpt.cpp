@@ -33,6 +33,7 @@ class Lines : public Writing {
       file_.write(jsonLine(chunk.source->textOf(message)));
       file_.write("\n");
       ++done_.messages;
+      done_.topics.insert(message.message.topic);
     }
     // After a failure everything fails, and place() gives the reason.
     return file_.good() ? std::nullopt : file_.place();
@@ -78,6 +79,7 @@ class Mcap : public Writing {
       const std::string& topic = message.message.topic;
       const double stamp_s = message.message.received_s;
       if (!isOneOf(order_.topics, topic) || (span_.to_s && stamp_s > *span_.to_s)) continue;
+      done_.topics.insert(topic);
       const std::string_view json = chunk.source->textOf(message);
       if (span_.from_s && stamp_s < *span_.from_s) {
         keep(message, json);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,7 @@ struct Order {
 struct Written {
   std::int64_t messages = 0;     // of the span
   std::int64_t said_before = 0;  // initial state from before the span
+  std::set<std::string> topics;  // of all these messages
   std::int64_t attachments = 0;
   std::int64_t samples = 0, pieces = 0;  // of a track
   std::int64_t odd = 0;                  // left out: unreadable or without time stamp

@@ -249,6 +249,7 @@ class Merge {
                              message.publish_time_ns, digestOf(message.bytes.data(), message.bytes.size())}))
           continue;
         ++done_.messages;
+        done_.topics.insert(message.channel->topic);
         if (auto fault = file_.write(*message.channel, {at_ns, message.publish_time_ns, message.sequence},
                                      message.bytes))
           return fault;

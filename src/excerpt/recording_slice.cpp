@@ -53,6 +53,7 @@ class Slice {
       const recording::Stamp stamp{from_ns, robot::recorded::saidNs(message), 0};
       if (auto done = checked(file_.write(channel, stamp, message.bytes)); !done) return done;
       ++done_.said_before;
+      done_.topics.insert(message.channel->topic);
     }
     return {};
   }
@@ -65,6 +66,7 @@ class Slice {
     while (const auto message = cursor->next()) {
       if (auto done = write(*message->channel, message->log_time_ns, message->sequence, *message); !done)
         return done;
+      done_.topics.insert(message->channel->topic);
       if (++done_.messages % kLookEvery != 0 || !goes_on_) continue;
       const double share = all_ns > 0 ? (double(message->log_time_ns) - first_ns) / all_ns : 1;
       ended_ = !goes_on_(std::clamp(share, 0.0, 1.0));

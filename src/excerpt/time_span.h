@@ -9,6 +9,7 @@ namespace mapwright::excerpt {
 /// Seconds since the epoch, both inclusive; nullopt = not given.
 struct TimeSpan {
   std::optional<double> from_s, to_s;
+  bool limited() const { return from_s || to_s; }
   bool holds(double at_s) const { return !(from_s && at_s < *from_s) && !(to_s && at_s > *to_s); }
 };
 

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMap>
+#include <QRegularExpression>
 #include <QSet>
 #include <QStandardPaths>
 #include <QTest>
@@ -286,6 +287,94 @@ class BagsCommandTest : public QObject {
     QCOMPARE(rates[QStringLiteral("/always")].toDouble(), 0.01);
     QCOMPARE(rates[QStringLiteral("/late")].toDouble(), 0.5);
     QVERIFY(rates[QStringLiteral("/at_once")].isNull());
+  }
+
+  void timesAreTypedAsInTheWindow_data() {
+    QTest::addColumn<QString>("time");
+    for (const char* time : {"2024-06-03T09:00:20Z", "2024-06-03~09:00:20", "09:00:20", "+20", "+0:20", "20",
+                             "-39.9", "1717405220"})
+      QTest::newRow(time) << QString::fromLatin1(time);
+  }
+  void timesAreTypedAsInTheWindow() {
+    QFETCH(QString, time);
+    const QString file = recording();
+    const Outcome state = run(QStringLiteral("state %1 --json --at %2").arg(file, time));
+    QVERIFY2(state.code == 0, state.err.constData());
+    QCOMPARE(state.object()[QStringLiteral("at")].toDouble(), 1717405220.0);
+    const double x = state.object()[QStringLiteral("pose")][QStringLiteral("x")].toDouble();
+    QVERIFY2(std::abs(x - 10) < 0.1, state.out.constData());
+  }
+
+  void everyCommandTakesSuchTimes_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"frames %1 --from +1 --to 09:00:02", "export %1 --from +1 --to -50 --force -o t.mcap",
+          "export %1 --from +1 --to -50 --force -o t.jsonl", "track %1 --from +1 --to -50 --force -o t.csv",
+          "merge %1 --from +1 --to -50 --force -o t.mcap", "report %1 --at +20 -o t.html",
+          "report %1 --at +20 --against %1@-10 -o t.html",
+          "snapshot %1 --at +20 --mode submaps --size 64x64 -o t.png",
+          "film %1 --from +1 --to +2 --mode submaps --size 64x64 -o t%d.png"})
+      QTest::newRow(line) << QString::fromLatin1(line);
+  }
+  void everyCommandTakesSuchTimes() {
+    QFETCH(QString, line);
+    QString typed = line;
+    typed.replace(QStringLiteral("%1"), recording());
+    const Outcome done = run(typed);
+    QVERIFY2(done.code == 0 || (done.code == 1 && !done.err.contains("1970")), done.err.constData());
+    // Beyond the end, and no time at all.
+    const QString beyond =
+        QString(typed).replace(QRegularExpression(QStringLiteral("\\+\\d+")), QStringLiteral("+900"));
+    const Outcome refused = run(beyond);
+    QCOMPARE(refused.code, 2);
+    QVERIFY2(refused.err.contains("is not within the recording: it lasts from 2024-06-03 09:00:00.000"),
+             refused.err.constData());
+    const Outcome none =
+        run(QString(typed).replace(QRegularExpression(QStringLiteral("\\+\\d+")), QStringLiteral("noon")));
+    QCOMPARE(none.code, 2);
+    QVERIFY2(none.err.contains("noon is not a time"), none.err.constData());
+  }
+
+  void whatIsNotThereIsNamedWhereverItIsAskedFor_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const QString& line, const char* sentence) {
+      QTest::newRow(qPrintable(line)) << line << QString::fromLatin1(sentence);
+    };
+    const QString file = recording();
+    for (const QString& of : {file, bag()}) {
+      for (const char* line : {"frames %1 --topic /nope", "export %1 --topic /nope --force -o n.mcap",
+                               "export %1 --topic /nope --force -o n.jsonl"})
+        row(QString::fromLatin1(line).arg(of), "No message of /nope was found.");
+    }
+    row(QStringLiteral("export %1 --topic /alerts --to +1 --force -o n.mcap").arg(file),
+        "No message of /alerts was found.");
+    row(QStringLiteral("split %1 --topic /nope --force -o n%2.mcap").arg(file, QStringLiteral("%d")),
+        "No message of /nope was found.");
+    row(QStringLiteral("merge %1 --topic /nope --force -o n.mcap").arg(file),
+        "No message of /nope was found.");
+    const QString late = QStringLiteral(" --from 2030-01-01T00:00:00Z");
+    row(QStringLiteral("frames ") + file + late, "No message was found.");
+    row(QStringLiteral("export --force -o n.jsonl ") + file + late, "No message was found.");
+    row(QStringLiteral("merge --force -o n.mcap ") + file + late, "No message was found.");
+    row(QStringLiteral("track --force -o n.csv ") + file + late, "No position of the robot was found.");
+  }
+  void whatIsNotThereIsNamedWhereverItIsAskedFor() {
+    QFETCH(QString, line);
+    QFETCH(QString, sentence);
+    (void)recording();
+    const Outcome done = run(line);
+    QVERIFY2(done.err.contains(sentence.toUtf8()), done.err.constData());
+    QCOMPARE(done.code, 1);
+  }
+
+  void aFilmIsNoStream() {
+    for (const char* output : {"-", "/dev/stdout"}) {
+      const Outcome done = run(
+          QStringLiteral("film %1 --from +1 --to +2 -o %2").arg(recording(), QString::fromLatin1(output)));
+      QCOMPARE(done.code, 2);
+      QVERIFY2(done.out.isEmpty() && done.err.contains("a film must be a file"), done.err.constData());
+    }
   }
 
   void severalTopicsAreChosenAndOneThatIsNotThereIsNamed() {
@@ -660,7 +749,7 @@ class BagsCommandTest : public QObject {
     QCOMPARE(run(QStringLiteral("state %1 --at %2").arg(name, before)).code, 0);
     const auto [state_told, state] = told(QStringLiteral("state %1 --json --at %2").arg(name, after));
     QVERIFY(state_told && state.object()[QStringLiteral("pose")].isObject());
-    QVERIFY(told(QStringLiteral("report %1 --at %2 --force -o r.html").arg(name, after)).first);
+    QVERIFY(told(QStringLiteral("report %1 --at %2 -o r.html").arg(name, after)).first);
     QVERIFY(program_.bytes("r.html").contains("is missing"));
     QVERIFY(told(QStringLiteral("snapshot %1 --at %2 --mode whole -o s.png").arg(name, after)).first);
   }

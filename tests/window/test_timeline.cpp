@@ -118,6 +118,12 @@ class TestTimeline : public QObject {
     QVERIFY2(std::abs(*read - (kStart + after_start_s)) < 1e-3, qPrintable(QString::number(*read - kStart)));
   }
 
+  void aNumberIsAStampWhereStampsBeginAtZero() {
+    QCOMPARE(timeTyped(QStringLiteral("12.5"), 3, 60), std::optional(12.5));
+    QCOMPARE(timeTyped(QStringLiteral("+12.5"), 3, 60), std::optional(15.5));
+    QVERIFY(!timeTyped(QStringLiteral("2"), 3, 60));
+  }
+
   void takesNothingElseForATime() {
     for (const char* typed : {"", "noon", "25:00", "14:61", "14:00:00", "2023-10-30 14:40:17", "+601", "-601",
                               "nan", "inf", "+-3", "1e99", "1698762000", "14:40:17:00", "+99999999999999"})

@@ -19,7 +19,7 @@ constexpr std::array kSteps{0.001,  0.002,   0.005,   0.01,    0.02,    0.05,   
                             120.0,  300.0,   600.0,   900.0,   1800.,   3600.,   7200., 10800.,
                             21600., 43200.0, 86400.0, 172800., 604800., 2592000.};
 constexpr std::size_t kMostTicks = 2'000;
-constexpr double kEpochFromS = 1e8;  // smaller numbers count from the start
+constexpr double kEpochFromS = 1e8;  // smaller numbers count from the start, unless stamps begin at zero
 constexpr double kDayS = 86'400;
 constexpr double kFarthestS = 1e11;  // limit for QDateTime
 
@@ -146,18 +146,23 @@ std::optional<double> timeTyped(const QString& typed, double first_s, double las
   }
   if (text.contains(QLatin1Char(':')) && !text.contains(QLatin1Char('-')))
     return clockTyped(text, first_s, last_s);
-  if (text.contains(QLatin1Char('-'))) {
-    QString iso = text.toUpper();
-    iso.replace(QLatin1Char(' '), QLatin1Char('T'));
-    QDateTime time = QDateTime::fromString(iso, Qt::ISODateWithMs);
-    if (!time.isValid()) return std::nullopt;
-    if (time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
-    return within(double(time.toMSecsSinceEpoch()) / 1000);
-  }
-  const auto number = lengthTyped(text);
-  const auto since = text.toDouble();
-  if (!number) return std::nullopt;
-  return within(since >= kEpochFromS ? since : first_s + *number);
+  if (const auto at_s = absoluteTimeTyped(text, first_s)) return within(at_s);
+  const auto length_s = lengthTyped(text);
+  return length_s ? within(first_s + *length_s) : std::nullopt;
+}
+
+std::optional<double> absoluteTimeTyped(const QString& typed, double first_s) {
+  const QString text = typed.trimmed().toUpper();
+  if (text.startsWith(QLatin1Char('+')) || text.startsWith(QLatin1Char('-'))) return std::nullopt;
+  bool is_number = false;
+  const double since = QLocale::c().toDouble(text, &is_number);
+  if (is_number && std::isfinite(since) && (since >= kEpochFromS || first_s < kEpochFromS)) return since;
+  if (!text.contains(QLatin1Char('-'))) return std::nullopt;
+  QDateTime time =
+      QDateTime::fromString(QString(text).replace(QLatin1Char(' '), QLatin1Char('T')), Qt::ISODateWithMs);
+  if (!time.isValid()) return std::nullopt;
+  if (time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
+  return double(time.toMSecsSinceEpoch()) / 1000;
 }
 
 QString speedText(double speed) { return QStringLiteral("%1x").arg(speed, 0, 'g', 3); }
