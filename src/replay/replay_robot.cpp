@@ -84,6 +84,29 @@ class ReplayRobot::Topics : public robot::LiveTopics {
   bool compares_ = false;  // soon
 };
 
+/// The submaps of the bag's robot. Those of an earlier SLAM session are gone: the list of a bag stays as it
+/// is.
+class ReplayRobot::Submaps : public robot::SubmapSource {
+ public:
+  explicit Submaps(ReplayRobot& replay) : replay_(replay) {}
+  robot::Call fetch(const map::SubmapKey& key, Reply reply) override {
+    return origin().fetch(key, [reply = std::move(reply)](map::SubmapAnswer answer) {
+      using Outcome = map::SubmapAnswer::Outcome;
+      if (answer.outcome == Outcome::WrongUuid) answer.outcome = Outcome::NotFound;
+      reply(std::move(answer));
+    });
+  }
+  void cancelAll() override { origin().cancelAll(); }
+  void cancel(const map::SubmapKey& key) override { origin().cancel(key); }
+  void discard(const map::SubmapKey& key, std::int32_t answered_version) override {
+    origin().discard(key, answered_version);
+  }
+
+ private:
+  robot::SubmapSource& origin() const { return *replay_.origin_->submapSource(); }
+  ReplayRobot& replay_;
+};
+
 /// The maps of the bag's robot. The current one is that stated in the bag, not the robot's present one.
 class ReplayRobot::Maps : public robot::MapCatalogue {
  public:
@@ -123,6 +146,7 @@ ReplayRobot::ReplayRobot(std::unique_ptr<robot::Robot> origin, std::string name,
                          QObject* parent)
     : Robot(parent), origin_(std::move(origin)), name_(std::move(name)), options_(std::move(options)) {
   if (robot::LiveTopics* live = origin_->liveTopics()) live_ = std::make_unique<Topics>(*live, *this);
+  submaps_ = std::make_unique<Submaps>(*this);
   maps_ = std::make_unique<Maps>(*this);
   look_again_.setSingleShot(true);
   connect(&look_again_, &QTimer::timeout, this, [this] {
@@ -143,6 +167,10 @@ ReplayRobot::ReplayRobot(std::unique_ptr<robot::Robot> origin, robot::BagKey key
 ReplayRobot::~ReplayRobot() {
   *alive_ = false;
   finding_.cancel();
+}
+
+robot::SubmapSource* ReplayRobot::submapSource() {
+  return origin_->submapSource() ? submaps_.get() : nullptr;
 }
 
 std::optional<std::vector<robot::OfferedTopic>> ReplayRobot::offered() const {

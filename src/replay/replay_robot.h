@@ -38,7 +38,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   void trustCertificate(const QString& sha256) override { origin_->trustCertificate(sha256); }
   robot::ConnectionState connection() const override { return state_; }
   robot::RobotIdentity identity() const override { return origin_->identity(); }
-  robot::SubmapSource* submapSource() override { return origin_->submapSource(); }
+  robot::SubmapSource* submapSource() override;
   /// Its current map is the one that the messages name (by uid, otherwise by name), if any.
   robot::MapCatalogue* mapCatalogue() override;
   robot::WholeMapSource* wholeMapSource() override { return origin_->wholeMapSource(); }
@@ -75,6 +75,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
 
  private:
   class Topics;
+  class Submaps;
   class Maps;
   void lookAgain();
   /// While raw messages are wanted: the last one of each topic in the present range.
@@ -96,6 +97,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   std::optional<robot::BagKey> key_;  // if known from the start
   Reading::Options options_;
   std::unique_ptr<Topics> live_;
+  std::unique_ptr<Submaps> submaps_;
   std::unique_ptr<Maps> maps_;
   std::optional<map::MapInfo> map_info_;  // as it was said last
   bool watching_ = false;                 // raw messages are wanted, too

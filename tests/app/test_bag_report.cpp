@@ -117,6 +117,24 @@ class BagReportTest : public QObject {
       QVERIFY2(!html.contains(odd), qPrintable(odd));
   }
 
+  void submapsOfAnEarlierSessionAreMissingAndNotWaitedFor() {
+    simulator::Options options;
+    options.paused = true;
+    options.start_at_s = 700;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    robot.restartSlam();
+    const QMap<QString, QString> environment{
+        {QStringLiteral("MAPWRIGHT_ROBOT"), QString::fromStdString(robot.address())}};
+    const auto done = report({QStringLiteral("2024-06-03_09-00-00.bag"), QStringLiteral("--at"), at(300),
+                              QStringLiteral("--timeout"), QStringLiteral("60"), QStringLiteral("-o"),
+                              QStringLiteral("earlier.html")},
+                             environment);
+    QCOMPARE(done.code, 1);
+    QVERIFY2(done.err.contains(QLatin1String("Submaps that could not be drawn")), qPrintable(done.err));
+    QVERIFY(program_.bytes("earlier.html").contains("</html>"));
+  }
+
   void anAlertFromTheBeginningHasNoTime() {
     const auto told = [&](const QString& file, double after_s) {
       return report({file, QStringLiteral("--at"), at(after_s), QStringLiteral("-o"), QStringLiteral("-")})
@@ -154,13 +172,8 @@ class BagReportTest : public QObject {
 
   void theBytesAreTheSameWhoeverAsks() {
     const QString file = recording("drive.mcap", {}), other = recording("other.mcap", {1.2, 60, true});
-    const QStringList words{file,
-                            QStringLiteral("--at"),
-                            at(50),
-                            QStringLiteral("--against"),
-                            other,
-                            QStringLiteral("--force"),
-                            QStringLiteral("-o")};
+    const QStringList words{file,  QStringLiteral("--at"), at(50), QStringLiteral("--against"),
+                            other, QStringLiteral("-o")};
     QVERIFY(report(words + QStringList{QStringLiteral("first.html")}).code == 0);
     const QByteArray first = program_.bytes("first.html");
     QVERIFY(first.size() > 10'000);
@@ -199,7 +212,7 @@ class BagReportTest : public QObject {
       const auto done =
           report({QStringLiteral("2024-06-03_09-10-00.bag"), QStringLiteral("--at"), at(900),
                   QStringLiteral("--robot"), QString::fromStdString(robot.address()), QStringLiteral("-o"),
-                  QStringLiteral("slow.html"), QStringLiteral("--force")},
+                  QStringLiteral("slow.html")},
                  {{QStringLiteral("XDG_CACHE_HOME"), program_.path(QString::number(latency_ms))}});
       QVERIFY2(done.code == 0, qPrintable(done.err));
       const QByteArray html = program_.bytes("slow.html");
@@ -306,8 +319,7 @@ class BagReportTest : public QObject {
     const QString file = recording("drive.mcap", {}), other = recording("other.mcap", {1.2, 60, true});
     // It passes x = 1 after 20 s, 20 cm beside.
     const auto done = report({file, QStringLiteral("--at"), at(20), QStringLiteral("--against"), other,
-                              QStringLiteral("-o"), QStringLiteral("b.html"), QStringLiteral("--force"),
-                              QStringLiteral("--json")});
+                              QStringLiteral("-o"), QStringLiteral("b.html"), QStringLiteral("--json")});
     QVERIFY2(done.code == 0, qPrintable(done.err));
     const QJsonObject against = done.object()[QStringLiteral("against")].toObject();
     QVERIFY(std::abs(against[QStringLiteral("metres")].toDouble() - 0.2) < 0.01);
@@ -317,14 +329,10 @@ class BagReportTest : public QObject {
     QCOMPARE(html.count(QLatin1String("data:image/png;base64,")), 2);
   }
 
-  void aFileIsNotReplacedUnasked() {
+  void theRecordingIsNotReplaced() {
     const QString file = recording("drive.mcap", {});
-    program_.put("kept.html", "kept");
     const QStringList words{file, QStringLiteral("--at"), at(20), QStringLiteral("-o")};
-    const auto refused = report(words + QStringList{QStringLiteral("kept.html")});
-    QVERIFY2(refused.code == 2 && refused.err.contains(QLatin1String("--force")), qPrintable(refused.err));
-    QCOMPARE(program_.bytes("kept.html"), QByteArray("kept"));
-    const auto self = report(words + QStringList{file, QStringLiteral("--force")});
+    const auto self = report(words + QStringList{file});
     QVERIFY2(self.code == 2 && self.err.contains(QLatin1String("is the recording itself")) &&
                  !self.err.contains(QLatin1String("--force")),
              qPrintable(self.err));
