@@ -27,8 +27,12 @@ install(FILES ${packaging}/mapwright.mime.xml DESTINATION ${CMAKE_INSTALL_DATADI
 install(FILES ${packaging}/mapwright.bash
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME mapwright)
 install(FILES resources/mapwright.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
-install(FILES ${packaging}/copyright ${made}/NEWS.gz docs/window.md docs/command-line.md docs/maps-in-ci.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${packaging}/copyright ${made}/NEWS.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# As in the sources, so that their links and pictures are there.
+install(FILES docs/window.md docs/command-line.md docs/maps-in-ci.md docs/same-bytes.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # CPack's own generator of Debian packages lists files in the order of the disk: other bytes on another machine.
 set(CPACK_GENERATOR External)
