@@ -18,6 +18,7 @@
 #include "app/command_text.h"
 #include "app/commands.h"
 #include "app/display.h"
+#include "app/examples.h"
 #include "app/kept_overlays.h"
 #include "app/log.h"
 #include "app/output.h"
@@ -177,6 +178,8 @@ int runCommand(int argc, char** argv) {
       Text::tr("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
   bench->set_help_flag();
 
+  addExamples(cli);
+  nameTypes(cli);
   refuseOddWords(cli);
   try {
     cli.parse(argc, argv);

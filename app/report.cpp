@@ -60,7 +60,7 @@ QJsonObject entryJson(const map::CatalogueEntry& row) {
                    {QStringLiteral("modified"), row.modified_s ? QJsonValue(*row.modified_s) : QJsonValue()}};
   if (!row.file_name.empty()) json[QStringLiteral("map_name")] = QString::fromStdString(row.file_name);
   if (!row.state.empty()) json[QStringLiteral("state")] = QString::fromStdString(row.state);
-  if (row.grid) json[QStringLiteral("grid")] = gridJson(*row.grid);
+  json[QStringLiteral("grid")] = row.grid ? QJsonValue(gridJson(*row.grid)) : QJsonValue();
   return json;
 }
 
