@@ -322,7 +322,7 @@ class DispatchCommandsTest : public QObject {
          {QStringList{text("maps"), text("list")}, QStringList{text("maps"), text("current")},
           QStringList{text("waypoints"), text("list"), text("--warnings")},
           QStringList{text("waypoints"), text("plan"), file("wanted.csv")},
-          QStringList{text("record"), text("-o"), file("a.mcap"), text("--seconds"), text("2")}}) {
+          QStringList{text("record"), text("-o"), file("a.mcap"), text("--duration"), text("2")}}) {
       const Ran ran = ask(words);
       // What lies under the waypoints is not known without the map, which makes the answer incomplete.
       QVERIFY2(ran.code == (words.contains(text("--warnings")) ? 1 : 0), ran.err.constData());

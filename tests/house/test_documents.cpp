@@ -45,6 +45,12 @@ QSet<QString> headingsOf(const QString& page) {
   return headings;
 }
 
+/// As links name a heading: "mapwright-maps".
+QString anchorOf(const QString& heading) {
+  static const QRegularExpression odd(QStringLiteral("[^\\w -]"));
+  return heading.toLower().remove(odd).replace(QLatin1Char(' '), QLatin1Char('-'));
+}
+
 /// What of a source's references leads nowhere: `docs/protocols/rosbridge.md, "Calls", "Topics"`, also over
 /// the end of a line of a comment.
 QStringList deadReferences(QString source) {
@@ -101,7 +107,7 @@ void TestDocuments::whatSourcesNameIsThere() {
 }
 
 void TestDocuments::linksOfDocumentsLeadSomewhere() {
-  static const QRegularExpression link(QStringLiteral("\\]\\(([^)#:]+)(#[^)]*)?\\)|`(docs/[\\w./-]+\\.md)`"));
+  static const QRegularExpression link(QStringLiteral("\\]\\(([^)#:]*)(#[^)]*)?\\)|`(docs/[\\w./-]+\\.md)`"));
   static const QRegularExpression code(QStringLiteral("^ {6,}.*$"), QRegularExpression::MultilineOption);
   QStringList dead;
   for (const QString& page : filesNamed({QStringLiteral("*.md")})) {
@@ -109,9 +115,18 @@ void TestDocuments::linksOfDocumentsLeadSomewhere() {
     for (auto it = link.globalMatch(textOf(page).remove(code)); it.hasNext();) {
       const QRegularExpressionMatch match = it.next();
       const QString from_root = match.captured(3);
-      const QString target =
-          from_root.isEmpty() ? QDir::cleanPath(folder + QLatin1Char('/') + match.captured(1)) : from_root;
+      const QString target = !from_root.isEmpty() ? from_root
+                             : match.captured(1).isEmpty()
+                                 ? page
+                                 : QDir::cleanPath(folder + QLatin1Char('/') + match.captured(1));
       if (!QFileInfo::exists(repository().filePath(target))) dead << page + QLatin1String(": ") + target;
+      const QString anchor = match.captured(2).mid(1);
+      QStringList anchors;
+      if (!anchor.isEmpty()) {
+        for (const QString& heading : headingsOf(target)) anchors << anchorOf(heading);
+      }
+      if (!anchor.isEmpty() && !anchors.contains(anchor))
+        dead << page + QLatin1String(": ") + target + QLatin1Char('#') + anchor;
     }
   }
   QVERIFY2(dead.isEmpty(), qPrintable(QLatin1Char('\n') + dead.join(QLatin1Char('\n'))));
