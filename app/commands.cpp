@@ -133,7 +133,8 @@ void refuseOddWords(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_items_expected_max() == 0) continue;  // a flag
     const std::string type = option->get_type_name();
-    const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+    const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT") ||
+                        type == "DURATION";
     option->check([number](const std::string& word) {
       if (word.empty()) return Text::tr("the value is empty").toStdString();
       if (!number || isDecimal(word)) return std::string();

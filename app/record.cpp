@@ -305,7 +305,8 @@ void addRecord(Commands& commands) {
           help(Text::tr("For example 90s, 2m or 1h, or a number of seconds; by default until Ctrl+C")))
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}},
                                         CLI::AsNumberWithUnit::CASE_SENSITIVE)
-                      .description(""));
+                      .description(""))
+      ->type_name("DURATION");
   command->add_option("--topics", args.topics,
                       help(Text::tr("Additional topics, separated by commas, as the robot names them")));
   command

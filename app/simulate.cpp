@@ -225,6 +225,7 @@ void SimulateOptions::addDispatcher(simulator::DispatcherOptions& o) {
   number("--dispatcher-edge", o.edge_m, 10.0, 2000.0,
          tr("Edge length of its building in whole metres; 1000 gives "
             "20,000 x 20,000 cells and 40 million points"))
+      ->type_name("INT")
       ->capture_default_str();
   flag("!--no-dispatcher-grid", o.planar, tr("Without get_map and get_sub_map"));
   flag("!--no-dispatcher-clouds", o.spatial, tr("Without clouds and projections"));
