@@ -891,6 +891,31 @@ class RecordedRobotTest : public QObject {
     QVERIFY(info && info->robots.empty());
   }
 
+  void aLifetimeEndsWhereNothingIsSaid() {
+    std::vector<Drive::Said> said = Drive{1}.all();
+    std::erase_if(said, [](const Drive::Said& one) { return one.topic == "/markers"; });
+    const double start_s = Drive::kStartS;
+    said.push_back({"/markers", "visualization_msgs/MarkerArray", start_s + 0.75, [=](RosOut& out) {
+                      out.list("markers", 1, [&](std::size_t) {
+                        out.header(start_s + 0.75, "map").text("ns", "box").i32("id", 1);
+                        out.i32("type", 1).i32("action", 0).pose("pose", 1, 1, 0);
+                        out.object("scale", [&] { out.f64("x", 1).f64("y", 1).f64("z", 1); });
+                        out.time("lifetime", 15);
+                      });
+                    }});
+    std::stable_sort(said.begin(), said.end(), [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+    Drive::scan(said, start_s + 60);  // the recording goes on so long
+    const QString path = written(recordings::recordingOf(said, Encoding::Json));
+    const auto robot = opened(path);
+    for (const double from_s : {start_s - 1, start_s + 12}) {
+      const auto chunk = range(*robot, keyOf(path), from_s, start_s + 40);
+      QVERIFY(chunk);
+      if (from_s < start_s)
+        QCOMPARE(foldedUntil(**chunk, start_s + 10).live.seen_objects.size(), std::size_t(1));
+      QCOMPARE(foldedUntil(**chunk, start_s + 30).live.seen_objects.size(), std::size_t(0));
+    }
+  }
+
   void whatIsDrawnLikeMarkersIsInARecordingToo() {
     std::vector<Drive::Said> said = Drive{20}.all();
     std::erase_if(said, [](const Drive::Said& one) { return one.topic == "/markers"; });

@@ -153,7 +153,8 @@ Lasting::Lasting(recording::Source& file, MessageFields& fields, std::vector<Las
 
 void Lasting::reset(std::vector<LastingTopic> topics, const RosShape& shape) {
   topics_ = std::move(topics);
-  robots_ = shape.robots;
+  robots_ =
+      shape.robots.size() > 1 ? shape.robots : std::vector<std::string>();  // one needs no names of its own
   fixed_frame_ = shape.fixed_frame;
   by_topic_.clear();
   indexed_.clear();
@@ -170,7 +171,7 @@ void Lasting::reset(std::vector<LastingTopic> topics, const RosShape& shape) {
   cursor_.reset();
   counted_.clear();
   checkpoints_.clear();
-  checkpoint_entries_ = since_checkpoint_ = deleted_ = 0;
+  checkpoint_entries_ = since_checkpoint_ = deleted_ = cleaned_ = 0;
   statics_.clear();
   frames_.clear();
   placed_by_.clear();
@@ -178,7 +179,9 @@ void Lasting::reset(std::vector<LastingTopic> topics, const RosShape& shape) {
 
 void Lasting::forgetFrom(std::int64_t at_ns) {
   cursor_.reset();
-  checkpoints_.erase(checkpoints_.upper_bound(at_ns), checkpoints_.end());
+  const auto gone = checkpoints_.upper_bound(at_ns);
+  for (auto it = gone; it != checkpoints_.end(); ++it) checkpoint_entries_ -= weightOf(*it->second);
+  checkpoints_.erase(gone, checkpoints_.end());
   if (state_.until_ns > at_ns) state_ = checkpoints_.empty() ? State() : *checkpoints_.rbegin()->second;
   // Transforms may have come since.
   placed_by_.clear();
@@ -258,6 +261,7 @@ void Lasting::applyTransforms(const Message& message, const Place& place) {
   const auto frame = fields_.read(message);
   if (!frame) return;  // it is reported where it is played
   for (const ros::TfRow& row : ros::readTf((*frame)->root())) {
+    if (!ros::Transforms::isUsable(row.parent, row.child, row.transform)) continue;  // the one before stays
     const std::uint64_t content = contentOf(row);
     const auto [entry, is_new] =
         state_.entries.try_emplace({kTransform, nameOf(frameOfRobot(message.channel->topic, row.child)), 0});
@@ -339,21 +343,23 @@ void Lasting::keepCheckpoint() {
     if (soon || since_checkpoint_ == 0 || since_checkpoint_ < state_.entries.size() / 4) return;
   }
   since_checkpoint_ = 0;
-  checkpoints_.emplace(state_.until_ns, std::make_shared<const State>(state_));
-  checkpoint_entries_ += state_.entries.size() + 16;
+  if (!checkpoints_.emplace(state_.until_ns, std::make_shared<const State>(state_)).second) return;
+  checkpoint_entries_ += weightOf(state_);
   while (checkpoint_entries_ > kMostCheckpointEntries && checkpoints_.size() > 2) {
     // Every second one goes: then it takes longer to go back.
     for (auto it = std::next(checkpoints_.begin()); it != checkpoints_.end();) {
-      checkpoint_entries_ -= std::min(checkpoint_entries_, it->second->entries.size() + 16);
+      checkpoint_entries_ -= weightOf(*it->second);
       it = checkpoints_.erase(it);
       if (it != checkpoints_.end()) ++it;
     }
   }
 }
 
-/// That a marker is deleted counts while it lies in a message with others that are not.
+/// That a marker is deleted counts while it lies in a message with others that are not. Those whose lifetime
+/// has ended are of no more use.
 void Lasting::dropDeleted() {
-  if (deleted_ < 5000 + state_.entries.size() / 2) return;
+  const std::size_t size = state_.entries.size();
+  if (deleted_ < 5000 + size / 2 && size < 5000 + 2 * cleaned_) return;
   Found found;
   const std::set<Place> kept = live(state_.until_ns, found);
   const std::int64_t now_ns = state_.until_ns;
@@ -361,6 +367,8 @@ void Lasting::dropDeleted() {
     return entry.second.until_ns <= now_ns && !kept.contains(entry.second.place);
   });
   deleted_ = 0;
+  cleaned_ = state_.entries.size();
+  frames_.clear();
 }
 
 std::optional<std::int64_t> Lasting::nextMarkerEnd() const {

@@ -95,6 +95,7 @@ class Lasting {
     bool any_markers = false;
   };
   using Checkpoint = std::shared_ptr<const State>;
+  static std::size_t weightOf(const State& state) { return state.entries.size() + 16; }
   /// A message with the time of its content.
   struct Stamped {
     Place place;
@@ -135,6 +136,7 @@ class Lasting {
   std::map<std::uint32_t, std::pair<std::int64_t, std::uint32_t>> counted_;  // of a topic: messages at a time
   std::map<std::int64_t, Checkpoint> checkpoints_;
   std::size_t checkpoint_entries_ = 0, since_checkpoint_ = 0, deleted_ = 0;
+  std::size_t cleaned_ = 0;  // how many were left when they were last cleaned up
 
   /// Each change of a child frame's static transform, with its time.
   std::map<std::uint32_t, std::set<std::pair<std::int64_t, Place>>> statics_;

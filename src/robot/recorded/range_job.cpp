@@ -64,7 +64,17 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
     takeLast(parts);
     return Step::More;
   }
-  const auto block = nextBlock(parts);
+  auto block = nextBlock(parts);
+  if (!parts.shape.markers.empty()) {
+    // What is shown changes without a message where a lifetime ends.
+    const std::int64_t from_ns = BlockPlacing::blockOf(next_ns_);
+    if (!knowsEarlier(parts, from_ns)) return Step::More;
+    const std::int64_t last_ns = std::min(last_ns_, parts.file.summary().end_ns.value_or(last_ns_));
+    const auto end_ns = parts.lasting.nextMarkerEnd();
+    const auto ending =
+        end_ns && *end_ns <= last_ns ? std::optional(BlockPlacing::blockOf(*end_ns)) : std::nullopt;
+    if (ending && *ending < block.value_or(*ending + 1)) block = std::max(*ending, from_ns);
+  }
   if (!block) return Step::Done;
   if (!knowsEarlier(parts, *block)) return Step::More;
   const std::int64_t block_ns = *block, end_ns = block_ns + BlockPlacing::kBlockNs;

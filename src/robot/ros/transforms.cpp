@@ -86,6 +86,11 @@ void Transforms::remember(const Missing& loop) {
     loops_.push_back(loop);
 }
 
+bool Transforms::isUsable(const std::string& parent, const std::string& child, const Transform3& transform) {
+  const std::string parent_name = frameName(parent), child_name = frameName(child);
+  return normalised(transform) && !parent_name.empty() && !child_name.empty() && parent_name != child_name;
+}
+
 Transforms::Taken Transforms::take(const std::string& parent, const std::string& child,
                                    const Transform3& transform, double stamp_s, bool is_static) {
   const auto refuse = [this](Taken why) {
@@ -95,7 +100,7 @@ Transforms::Taken Transforms::take(const std::string& parent, const std::string&
   const auto usable = normalised(transform);
   if (!usable || (!is_static && !std::isfinite(stamp_s))) return refuse(Taken::NoNumbers);
   const std::string parent_name = frameName(parent), child_name = frameName(child);
-  if (parent_name.empty() || child_name.empty() || parent_name == child_name) return refuse(Taken::NoFrames);
+  if (!isUsable(parent, child, transform)) return refuse(Taken::NoFrames);
   Index above = indexOf(parent_name), below = indexOf(child_name);
   const std::size_t more = std::size_t(above == kNone) + std::size_t(below == kNone);
   if (frames_.size() + more > kMostFrames) return refuse(Taken::NoFrames);
