@@ -212,8 +212,9 @@ class OddListsTest : public QObject {
       }
       QCoreApplication::processEvents();
       if (!robot_->open.empty()) continue;
-      if (!session_->submaps().listReceived() || session_->settled(1)) return;
-      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+      const auto done = [&] { return !session_->submaps().listReceived() || session_->settled(1); };
+      if (done()) return;
+      QVERIFY(QTest::qWaitFor([&] { return done() || !robot_->open.empty(); }));
     }
     QFAIL("it never ends");
   }

@@ -63,9 +63,9 @@ map::AlertsMessage alerts(std::vector<std::pair<int, std::string>> errors) {
   return message;
 }
 
-/// Pixels of about the colour of errors.
 constexpr FaultCode kNoPlace{"test", "Its position is unknown."};
 
+/// Pixels of about the colour of errors.
 int red(QWidget* widget) {
   const QImage image = widget->grab().toImage();
   int count = 0;
@@ -272,7 +272,7 @@ class TestWindowSafety : public QObject {
     QVERIFY(strip->sentence().contains(QLatin1String("/scan")));
     Q_EMIT bench.robot->recovered({topic, map::ProblemCode::Unplaced});
     QTRY_VERIFY(!strip->isVisible());
-    // What is odd explains a map without a robot, and is a matter of the list otherwise.
+    // Where no robot is drawn, what is odd may be the reason.
     Q_EMIT bench.robot->problemFound({map::Severity::Warning, topic, kNoPlace, map::ProblemCode::Odd});
     QTRY_VERIFY(strip->isVisible());
     bench.robot->say(map::TrackedPose{{1, 2, 0}});

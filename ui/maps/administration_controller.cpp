@@ -476,7 +476,7 @@ void AdministrationController::noteMapping() {
     mapping_dock_->show();  // once: whoever closes it has seen it
     context_.panels.suggest(mapping_dock_);
     came_ = true;
-    showNewMap();
+    new_map_shown_ = false;
     // A change made here says so itself.
     if (!dialog_ || !dialog_->waiting())
       context_.overlay.toasts()->add(Mark::Neutral, tr("The robot is mapping: see the panel Mapping."));
@@ -491,6 +491,7 @@ void AdministrationController::noteMapping() {
   if (const map::CatalogueEntry* const current = session ? session->catalogue().current() : nullptr;
       current && !running)
     used_ = current->key;
+  if (running) showNewMap();
   const bool looks = running && online;
   if (looks != look_->isActive()) looks ? look_->start() : look_->stop();
   showMapping();
@@ -501,7 +502,8 @@ void AdministrationController::showNewMap() {
   session::Session* const session = context_.current.session();
   const bool left = used_ && session->wholeMap().key() == *used_ &&
                     session::makesNewMap(session->robot(), session->live(), session->submaps());
-  if (left && robot::sendsItsMap(session->robot()) && !context_.unsaved.any())
+  if (!left || std::exchange(new_map_shown_, true)) return;
+  if (robot::sendsItsMap(session->robot()) && !context_.unsaved.any())
     session->openMap({map::MapKind::Live, {}});
 }
 
@@ -681,9 +683,10 @@ ToastOffer AdministrationController::offerToLoad(const map::CatalogueEntry& map)
   const auto obstacle = robots->obstacle(MapChange::Load, &map);
   const bool ends = robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving;
   if (obstacle && !(ends && obstacle == Obstacle::WhileMapping)) return {};
-  return {tr("Load it now…"), [this, key = map.key] {
+  return {tr("Load it now…"), [this, key = map.key, of = QPointer(context_.current.session())] {
             session::Session* const session = context_.current.session();
-            const map::CatalogueEntry* const entry = session ? session->catalogue().find(key) : nullptr;
+            if (!session || session != of) return;  // of another robot
+            const map::CatalogueEntry* const entry = session->catalogue().find(key);
             const robot::MapAdministration* const now = maps();
             const auto why = entry && now ? now->obstacle(MapChange::Load, entry) : Obstacle::NotOfThisMap;
             why ? context_.overlay.toasts()->add(Mark::Bad, sentences::whyNotNow(MapChange::Load, *why))

@@ -134,6 +134,7 @@ class AdministrationController : public Controller {
   std::optional<bool> was_mapping_;                 // nullopt: not known yet
   std::optional<robot::MapChange> ended_;           // of the last mapping: Save, CancelMapping
   std::optional<map::MapKey> used_;                 // the robot's current map before the mapping
+  bool new_map_shown_ = false;
   bool came_ = false, left_ = false;  // the dock, for a mapping of this robot, of the one before
   robot::Call looking_;
   QElapsedTimer noticed_;  // since was_mapping_

@@ -138,10 +138,15 @@ QString MapsController::deletedMap(const session::Session& session) {
   const map::MapKey& shown = slot.shown().key;
   const bool gone = listed_ && !catalogue.find(listed_->key);
   const QString called = gone ? mapCalled(QString::fromStdString(listed_->name), listed_->key) : QString();
-  if (gone && slot.cells() && shown == listed_->key) return called;
+  if (gone && slot.cells() && shown == listed_->key) {
+    deletion_shown_ = true;
+    return called;
+  }
   // Another one took its place at once.
-  if (gone) context_.overlay.toasts()->add(Mark::Warning, tr("%1 is not on the robot any more.").arg(called));
+  if (gone && !deletion_shown_)
+    context_.overlay.toasts()->add(Mark::Warning, tr("%1 is not on the robot any more.").arg(called));
   listed_.reset();
+  deletion_shown_ = false;
   const map::CatalogueEntry* const entry = slot.cells() ? catalogue.find(shown) : nullptr;
   if (entry && shown.kind != map::MapKind::Live) listed_ = *entry;
   return {};

@@ -49,6 +49,7 @@ class MapsController : public Controller {
   /// The next whole map was requested by the user: show all of it.
   bool fit_next_ = false;
   bool own_change_ = false;
+  bool deletion_shown_ = false;
   std::optional<map::CatalogueEntry> listed_;  // of what is on screen, when the robot last listed it
   std::optional<map::MapKey> fitted_;
   std::optional<map::MapKey> export_when_read_;

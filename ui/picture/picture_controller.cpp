@@ -93,7 +93,10 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   connect(dock_, &PictureDock::mapWanted, this, [this] { context_.view.setFocus(); });
   connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
   connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
-  connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
+  connect(dock_, &PictureDock::discardWanted, this, [this] {
+    doubt_.reset();  // whether it was stored does not matter any more
+    editing_.revert();
+  });
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
   connect(dock_, &PictureDock::copiesWanted, this, &PictureController::showCopies);
   connect(dock_, &PictureDock::draftWanted, this, &PictureController::takeDraft);
@@ -234,6 +237,7 @@ void PictureController::closeMap() {
   open_map_.reset();
   ++opened_;
   when_saved_ = when_reverted_ = nullptr;
+  doubt_.reset();
   if (stop_reading_) stop_reading_->store(true);
   keepDraft();
   editing_.close();

@@ -174,7 +174,7 @@ void MapFetch::show(std::function<map::OccupancyCells()> cells, const map::GridR
 void MapFetch::sayReplaced() {
   if (const std::vector<Fetched> kept = fetched(); !kept.empty())
     question_->setInformativeText(
-        tr("What is kept on screen, %1, is replaced by it and is not saved.").arg(kept.front().name));
+        tr("\"Keep on screen\" replaces %1, which is not saved.").arg(kept.front().name));
 }
 
 void MapFetch::takeRectangle(const geometry::WorldRect& drawn) {

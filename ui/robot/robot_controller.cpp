@@ -14,6 +14,7 @@
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
+#include "ui/view/on_screen.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -82,7 +83,9 @@ void RobotController::refreshPlace() {
   const QString show = tr("Show it anyway"), hide = tr("Hide it");
   using map::Whereabouts;
   // One strip says it all (MapsController).
-  if (session::lacksPicture(session->wholeMap())) return sayPlace({}, {}, false);
+  if (place.where == Whereabouts::Elsewhere && mapsInView(context_.scene).whole &&
+      session::lacksPicture(session->wholeMap()))
+    return sayPlace({}, {}, false);
   if (place.where == Whereabouts::Elsewhere && !drawn) {
     return sayPlace(
         afresh ? tr("The robot is making a new map, not this one. The robot and its sensor data are hidden.")

@@ -154,12 +154,15 @@ void WaypointsController::addToMenu(QMenu& menu, const Eigen::Vector2d& world_m)
   // An ampersand in a name is no mnemonic.
   const QString name =
       shortWaypointName(*editing_.find(hit->key)).replace(QLatin1Char('&'), QLatin1String("&&"));
-  editing_.select({hit->key});
+  if (!editing_.selected().contains(hit->key)) editing_.select({hit->key});
+  const bool several = editing_.selected().size() > 1;
   menu.addAction(tr("Re&name %1…").arg(name), this, [this, key = hit->key] { askName(key, 0); });
   const QString stays = editing_.whyNotRemoved();
   menu.setToolTipsVisible(true);
-  allow(menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete %1").arg(name), &editing_,
-                       &WaypointEditing::removeSelected),
+  allow(menu.addAction(
+            themedIcon(QStringLiteral("trash")),
+            tr("&Delete %1").arg(several ? waypointsText(qsizetype(editing_.selected().size())) : name),
+            &editing_, &WaypointEditing::removeSelected),
         stays.isEmpty(), stays);
   menu.addSeparator();
 }

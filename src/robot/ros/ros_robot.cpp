@@ -115,6 +115,12 @@ std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
 Call KabamAdministration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
   if (obstacle(order.change, nullptr) == Obstacle::NotOffered)
     return kabam_.refuse(std::move(reply), wire::notOffered(wire::kMapList, map::AskedFor::Change));
+  // What was mapped is stored, or left for another map.
+  if (order.change == MapChange::Save || order.change == MapChange::Load)
+    reply = [this, reply = std::move(reply)](Outcome<map::CatalogueEntry> outcome) {
+      if (outcome) mapped_ = false;
+      reply(std::move(outcome));
+    };
   return kabam_.change(order.key.id.empty() ? wire::kMapList : map::subjectOf(order.key),
                        kabam_.telling(changed_, std::move(reply)), &KabamRequests::carryOut, order);
 }

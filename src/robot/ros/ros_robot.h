@@ -71,7 +71,7 @@ class KabamAdministration : public MapAdministration {
   wire::LinkRef<KabamRequests> kabam_;
   std::function<void()> changed_;
   std::string state_;
-  bool mapped_ = false;  // since this robot was opened
+  bool mapped_ = false;  // since this robot was opened, or a map was saved or loaded here
 };
 
 /// The picture of the map that the robot works with, replaced: it is the only one that is sent. An image goes
