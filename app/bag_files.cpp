@@ -97,7 +97,7 @@ CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command,
   const auto sliced = excerpt::sliceRecording(path, excerptOf(args, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody cancels it
-  bags.noteNotFound(args.topics, order.span, done.topics);
+  bags.noteNotFound(args.topics, order.span, done.messages, done.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
   for (const Fault& loss : done.losses)
@@ -166,7 +166,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   const auto done = (*writing)->place();
   if (!done) return fileFailure(done.error());
   if (mcap || lines) {
-    bags.noteNotFound(args.topics, order->span, done->topics);
+    bags.noteNotFound(args.topics, order->span, done->messages, done->topics);
   } else if (done->samples == 0 && order->span.limited()) {
     bags.robot().lack(Text::tr("No position of the robot was found."));
   }
@@ -312,7 +312,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
     all.attachments = std::max(all.attachments, (*made)->attachments);
     all.losses = (*made)->losses;  // they concern the whole
   }
-  const QStringList not_found = notFound(args.topics, {}, all.topics);
+  const QStringList not_found = notFound(args.topics, {}, all.messages, all.topics);
   tell(args, files, all, not_found);
   return int(all.losses.empty() && not_found.isEmpty() ? kDone : kIncomplete);
 }
@@ -327,7 +327,7 @@ CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
   order.topics = args.topics;
   const auto made = excerpt::mergeRecordings(args.files, order);
   if (!made) return notOpened(made.error());
-  const QStringList not_found = notFound(args.topics, *span, made->topics);
+  const QStringList not_found = notFound(args.topics, *span, made->messages, made->topics);
   tell(args, {text(args.output)}, *made, not_found);
   return int(made->losses.empty() && not_found.isEmpty() ? kDone : kIncomplete);
 }

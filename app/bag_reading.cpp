@@ -221,13 +221,13 @@ CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
 }
 
 void BagReading::noteNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
-                              const std::set<std::string>& found) {
-  for (const QString& sentence : notFound(topics, span, found)) robot_->lack(sentence);
+                              std::size_t messages, const std::set<std::string>& found) {
+  for (const QString& sentence : notFound(topics, span, messages, found)) robot_->lack(sentence);
 }
 
 QStringList notFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
-                     const std::set<std::string>& found) {
-  if (topics.empty() && found.empty() && span.limited()) return {Text::tr("No message was found.")};
+                     std::size_t messages, const std::set<std::string>& found) {
+  if (topics.empty() && messages == 0 && span.limited()) return {Text::tr("No message was found.")};
   QStringList sentences;
   for (const std::string& topic : topics) {
     if (!found.contains(topic))

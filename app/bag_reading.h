@@ -65,7 +65,7 @@ class BagReading {
   CommandResult<replay::Moment> momentAt(double at_s);
   /// Notes what was asked for and is not there: notFound().
   void noteNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
-                    const std::set<std::string>& found);
+                    std::size_t messages, const std::set<std::string>& found);
   /// Notes messages before `until_s` that could not be read or have no time stamp, and the parts of the bag
   /// from `from_s` to there that the robot refused.
   void noteUnreadable(double until_s, std::optional<double> from_s = {});
@@ -99,7 +99,7 @@ CommandResult<double> timeIn(const RobotArguments& args, const QString& address,
 
 /// Sentences on what was asked for and is not there: these topics, or anything within these times.
 QStringList notFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
-                     const std::set<std::string>& found);
+                     std::size_t messages, const std::set<std::string>& found);
 
 /// "frames/%05d.png" and 7 -> "frames/00007.png"; empty where there is no %d, %0Nd or more than one.
 QString numbered(const QString& pattern, int number);

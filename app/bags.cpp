@@ -206,7 +206,7 @@ CommandResult<int> bagsFrames(RobotCommand& command, const BagsArguments& args) 
       });
   if (!taken) return kUsage;
   if (!read) return passOn(read);
-  opened->noteNotFound(args.topics, *span, found);
+  opened->noteNotFound(args.topics, *span, found.size(), found);
   opened->noteUnreadable(span->to_s.value_or(HUGE_VAL), span->from_s);
   return kDone;
 }

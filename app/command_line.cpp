@@ -196,7 +196,9 @@ int runCommand(int argc, char** argv) {
   if (demo->parsed()) return openDemo(QString::fromStdString(demo_query), argc, argv);
   if (operand.empty()) return openWindow(QString::fromStdString(robot), access, argc, argv);
   const QString file = QString::fromStdString(operand);
-  if (file.contains(QLatin1String("://"))) return openWindow(file, access, argc, argv);  // a robot
+  if (!play->parsed() && !QFileInfo::exists(file) && file.contains(QLatin1Char(':')) &&
+      knownAddresses().parse(file))
+    return openWindow(file, access, argc, argv);
   if (!isFileName(file) && !play->parsed()) {  // a mistyped subcommand is not a file
     const auto nearest = nearestOf(operand, subcommandsOf(cli));
     const QString hint = nearest ? Text::tr("Did you mean %1?").arg(QString::fromStdString(*nearest))

@@ -35,7 +35,8 @@ std::optional<QString> whyNoReportThere(const CLI::App& command) {
   if (!report || report->empty()) return std::nullopt;
   std::vector<std::string> words;
   for (const CLI::Option* option : command.get_options()) {
-    if (option != report) words.insert(words.end(), option->results().begin(), option->results().end());
+    if (option != report && option->get_name() != "--output" && option->get_name() != "--diff")
+      words.insert(words.end(), option->results().begin(), option->results().end());
   }
   return reportOverSource(QString::fromStdString(report->results().back()), words);
 }

@@ -520,7 +520,8 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
     const robot::MapAdministration* const maps = (*robot)->session().robot().mapAdministration();
     if (maps && !maps->loadAsksForPlace())
       return (*robot)->failure(
-          kUsage, Text::tr("--waypoint: this robot takes no place when it loads a map. Leave it out."));
+          kUsage,
+          Text::tr("--waypoint: this robot does not ask where it stands when it loads a map. Leave it out."));
   }
   if (change == MapChange::Load) order.place = args.place;
   if (names(change) && (*robot)->session().catalogue().offered()) {

@@ -448,7 +448,10 @@ int RobotCommand::end(CommandResult<int> result) const {
   }
   if (!done_.isEmpty()) report[done_name_] = done_;
   for (const auto& reading : readings_) {
-    if (const auto why = reportOverSource(report_path_, reading->sourceFiles())) return refuse(kUsage, *why);
+    // The work is done by now, or has failed.
+    if (const auto why = reportOverSource(report_path_, reading->sourceFiles()))
+      return refuse(result ? int(kIncomplete) : result.error().exit_code,
+                    result ? *why : result.error().sentence);
   }
   if (!report_path_.isEmpty()) {
     if (const auto problem = writeReport(report_path_, report)) return refuse(kUsage, *problem);

@@ -1,7 +1,7 @@
 # What bash offers on the command line of mapwright. The program tells it itself, by --help.
 _mapwright() {
   local cur=$2 prev=$3 command=() help word i
-  local -r value='(,[^ ]*)? (TEXT|FLOAT|INT|UINT|ENUM|ADDRESS|FILE|DIR|TIME)'
+  local -r value='(,[^ ]*)? (TEXT|FLOAT|INT|UINT|ENUM|ADDRESS|FILE|DIR|TIME|DURATION)'
   help=$'\n'$("$1" --help 2>/dev/null)
   for ((i = 1; i < COMP_CWORD; i++)); do
     word=${COMP_WORDS[i]}
