@@ -450,7 +450,9 @@ int RobotCommand::end(CommandResult<int> result) const {
   for (const auto& reading : readings_) {
     // The work is done by now, or has failed.
     if (const auto why = reportOverSource(report_path_, reading->sourceFiles()))
-      return refuse(result ? int(kIncomplete) : result.error().exit_code,
+      return refuse(!result           ? result.error().exit_code
+                    : done_.isEmpty() ? int(kUsage)
+                                      : int(kIncomplete),
                     result ? *why : result.error().sentence);
   }
   if (!report_path_.isEmpty()) {

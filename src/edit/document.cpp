@@ -252,7 +252,7 @@ void WaypointDocument::exchange(const std::vector<Change>& changes, bool forth) 
     const Item &from = forth ? change.before : change.after, &into = forth ? change.after : change.before;
     Item now = mine(change.key);
     if (!from && now) continue;  // it is there again, as others have it
-    if (now && !into && !removal_ && findKept(change.key)) {
+    if (!forth && now && !into && !removal_ && findKept(change.key)) {
       left_out = true;
       continue;
     }

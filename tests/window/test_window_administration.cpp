@@ -446,7 +446,9 @@ class TestWindowAdministration : public QObject {
     QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
     const auto title = [&] { return desk.bench.window->windowTitle(); };
     QVERIFY2(title().contains(QLatin1String("Map 1")), qPrintable(title()));
-    desk.bench.robot->say(map::MapInfo{.name = "Ground floor"});
+    map::MapInfo left;
+    left.name = "Ground floor";
+    desk.bench.robot->say(left);
     desk.maps.startMapping();
     Q_EMIT desk.bench.robot->mapsChanged();
     // The map that grows is on screen, and the robot in it.

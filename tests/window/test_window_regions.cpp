@@ -401,7 +401,7 @@ class TestWindowRegions : public QObject {
     QVERIFY(controller()->question());
     QVERIFY2(controller()->question()->text().contains(QStringLiteral(": 59 × 59 cells")),
              qPrintable(controller()->question()->text()));
-    QVERIFY2(controller()->question()->informativeText().contains(QStringLiteral("is replaced")),
+    QVERIFY2(controller()->question()->informativeText().contains(QStringLiteral("replaces")),
              qPrintable(controller()->question()->informativeText()));
     answerCalled("keepRegion")->click();
     QTRY_COMPARE(window_->session()->wholeMap().reference().width, 59);

@@ -652,9 +652,9 @@ void AdministrationController::showQuestion(MapChange change, const map::Catalog
   connect(&session->catalogue(), &session::Catalogue::changed, dialog_, &ChangeDialog::check);
   if (dialog_->nameEdit()) session->catalogue().refresh();  // names that others have given
   connect(dialog_, &ChangeDialog::done, this,
-          [this, change](const map::CatalogueEntry& map, const QString& said, bool as_asked) {
+          [this, change](const map::CatalogueEntry& changed, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said,
-                                           change == MapChange::Save ? offerToLoad(map) : ToastOffer());
+                                           change == MapChange::Save ? offerToLoad(changed) : ToastOffer());
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
             if (change == MapChange::Save || change == MapChange::CancelMapping) ended_ = change;
             if (change == MapChange::StartMapping || change == MapChange::ContinueMapping)

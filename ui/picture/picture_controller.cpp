@@ -502,9 +502,9 @@ void PictureController::showCopies() {
         [this, dialog, found] {
           if (!dialog) return;
           for (const auto& [address, called] : named_ ? named_() : Named()) {
-            const QString folder = jobs::fileNameFrom(address);
+            const QString kept_as = jobs::fileNameFrom(address);
             for (PictureCopy& copy : *found) {
-              if (copy.robot == folder) copy.called = called;
+              if (copy.robot == kept_as) copy.called = called;
             }
           }
           dialog->list(std::move(*found));

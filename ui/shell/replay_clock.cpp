@@ -233,9 +233,12 @@ void ReplayClock::goToFirstMap() {
   const replay::Cell* const here = reading ? reading->chunks().cellAt(at()) : nullptr;
   const replay::ChunkPtr chunk = here ? reading->chunkAt(here->from) : nullptr;
   if (!chunk) return;
-  auto first_s = chunk->countUntil(at()) == 0 ? replay::stampAfter(*chunk, at()) : std::nullopt;
-  if (const auto map_s = replay::stampOfFirstMap(*chunk); map_s && *map_s > at()) first_s = map_s;
-  if (first_s) seek(*first_s);
+  const auto map_s = replay::stampOfFirstMap(*chunk);
+  if (map_s && *map_s > at()) {
+    seek(*map_s);
+  } else if (chunk->countUntil(at()) == 0) {
+    if (const auto first_s = replay::stampAfter(*chunk, at())) seek(*first_s);
+  }
   untouched_ = false;
 }
 
