@@ -21,7 +21,7 @@ struct Ended {
   std::optional<Written> written;
   std::optional<map::Failure> not_read;  // the bag or the range could not be read
   std::optional<Fault> not_written;
-  std::optional<TimeSpan> range;         // that could not be had
+  std::optional<TimeSpan> range;         // that is missing
   std::vector<replay::Hole> holes = {};  // what is missing in what was written
 };
 

@@ -81,7 +81,7 @@ class AimdkLink : public wire::RobotLink {
   PointChanges& points() { return point_changes_; }
   /// A request of `task`.
   void post(const wire::TaskPtr& task, const char* method, const QByteArray& body, Reply reply);
-  /// The points as they are now, and the map that they lie on, without its picture (null: it cannot be had).
+  /// The points as they are now, and the map that they lie on, without its picture (null: unknown).
   using TopologyReply = std::function<void(Outcome<Topology>, const ParsedMap*)>;
   void topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyUse use, TopologyReply reply);
   /// Whether it is mapping. Told by newerKnown(), too.

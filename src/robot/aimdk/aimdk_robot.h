@@ -97,7 +97,7 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   void recoverBeside();
 
   RobotBeside beside_;
-  std::unique_ptr<LiveTopics> live_;  // of the one beside
+  std::unique_ptr<LiveTopics> live_;  // of the robot beside it
   bool beside_wanted_ = false;
   QString trusted_beside_;            // SHA-256 to be passed on; empty = none
   std::optional<Fault> away_beside_;  // why it is away, as reported
