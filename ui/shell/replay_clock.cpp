@@ -210,6 +210,8 @@ void ReplayClock::proceed() {
 
 void ReplayClock::noteState() {
   if (!player_) return;
+  // The robot may know of a range before this does: what opens at the first map has been nowhere else.
+  if (knowledge() == Knowledge::Exact && goToFirstMap()) return;
   player_->setWaiting(knowledge() == Knowledge::Buffering, now());
   const State state{playing(), player_->waiting(), knowledge()};
   if (std::exchange(told_, state) != state) Q_EMIT stateChanged();
@@ -228,18 +230,17 @@ void ReplayClock::noteRead() {
   Q_EMIT rangesChanged();
 }
 
-void ReplayClock::goToFirstMap() {
+bool ReplayClock::goToFirstMap() {
   const replay::Reading* const reading = untouched_ ? this->reading() : nullptr;
   const replay::Cell* const here = reading ? reading->chunks().cellAt(at()) : nullptr;
   const replay::ChunkPtr chunk = here ? reading->chunkAt(here->from) : nullptr;
-  if (!chunk) return;
-  const auto map_s = replay::stampOfFirstMap(*chunk);
-  if (map_s && *map_s > at()) {
-    seek(*map_s);
-  } else if (chunk->countUntil(at()) == 0) {
-    if (const auto first_s = replay::stampAfter(*chunk, at())) seek(*first_s);
-  }
+  if (!chunk) return false;
   untouched_ = false;
+  auto first_s = replay::stampOfFirstMap(*chunk);
+  if (!first_s || *first_s <= at())
+    first_s = chunk->countUntil(at()) == 0 ? replay::stampAfter(*chunk, at()) : std::nullopt;
+  if (first_s) seek(*first_s);
+  return first_s.has_value();
 }
 
 }  // namespace mapwright::window

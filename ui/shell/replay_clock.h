@@ -84,8 +84,8 @@ class ReplayClock : public QObject {
   void noteState();
   void noteRead();
   /// A bag is shown from its first map on, or where its first range has none, from its first message on:
-  /// before that there is nothing to see.
-  void goToFirstMap();
+  /// before that there is nothing to see. True where it went there.
+  bool goToFirstMap();
   replay::Millis now() const { return now_ ? now_() : clock_.elapsed(); }
 
   std::function<replay::Millis()> now_;
