@@ -1,4 +1,4 @@
-// mapwright simulate: the embedded robot on its own (docs/command-line.md).
+// mapwright simulate: the embedded robot on its own (docs/simulator.md).
 #include <csignal>
 #include <cstdio>
 #include <map>
