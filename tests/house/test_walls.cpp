@@ -1,4 +1,4 @@
-// The walls of the house: what a room cannot include, and that docs/architecture.md tells the same.
+// The walls of the house: what a room cannot include, and that docs/architecture.md says the same.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -227,24 +227,33 @@ void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {
   }
 }
 
+/// The first sentence of a room's README.md.
+QString heldBy(const QString& folder) {
+  const QByteArray text =
+      contentOf(QStringLiteral(MAPWRIGHT_SOURCES "/") + folder + QStringLiteral("/README.md"));
+  const QString paragraph = QString::fromUtf8(text).section(QStringLiteral("\n\n"), 1, 1).simplified();
+  return paragraph.section(QStringLiteral(". "), 0, 0).remove(QRegularExpression(QStringLiteral("\\.$")));
+}
+
 void TestWalls::theDocumentTellsTheSameWalls() {
-  QMap<QString, QStringList> told;
+  QMap<QString, QPair<QString, QStringList>> told;
   const QByteArray document = contentOf(QStringLiteral(MAPWRIGHT_SOURCES "/docs/architecture.md"));
   for (const QString& line : QString::fromUtf8(document).split(QLatin1Char('\n'))) {
-    static const QRegularExpression row(QStringLiteral(R"(^\| `([a-z/]+)` \|.*\| ([a-z_, -]+) \|$)"));
+    static const QRegularExpression row(QStringLiteral(R"(^\| `([a-z/]+)` \| (.*) \| ([a-z_, -]+) \|$)"));
     const auto match = row.match(line);
     if (!match.hasMatch()) continue;
-    QStringList uses;
-    for (const QString& word : match.captured(2).split(QLatin1Char(','))) {
-      if (word.trimmed() != QLatin1String("-")) uses << word.trimmed();
-    }
-    told[match.captured(1)] = uses;
+    QStringList uses = match.captured(3).split(QStringLiteral(", "));
+    uses.removeAll(QStringLiteral("-"));
+    told[match.captured(1)] = {match.captured(2), uses};
   }
   for (const Room& room : roomsOfTheBuild()) {
-    QVERIFY2(told.contains(room.folder), qPrintable(room.folder));
-    QCOMPARE(room.folder + QLatin1Char(' ') + sorted(told[room.folder]).join(QLatin1Char(' ')),
+    QVERIFY2(told.contains(room.folder), qPrintable(room.folder + QLatin1String(": run docs/draw-rooms")));
+    const auto [holds, uses] = told.take(room.folder);
+    QCOMPARE(room.folder + QLatin1Char(' ') + holds, room.folder + QLatin1Char(' ') + heldBy(room.folder));
+    QCOMPARE(room.folder + QLatin1Char(' ') + sorted(uses).join(QLatin1Char(' ')),
              room.folder + QLatin1Char(' ') + sorted(room.uses).join(QLatin1Char(' ')));
   }
+  QCOMPARE(told.keys(), QStringList{QStringLiteral("proto")});  // made otherwise
 }
 
 void TestWalls::thePictureShowsTheSameRooms() {
