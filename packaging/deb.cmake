@@ -37,7 +37,7 @@ ask(date date -uR -d @$ENV{SOURCE_DATE_EPOCH})
 set(changelog ${root}/usr/share/doc/mapwright/changelog)
 file(WRITE ${changelog} "mapwright (${version}) bookworm; urgency=medium
 
-  * NEWS.gz beside this file tells what is new.
+  * NEWS.gz beside this file says what is new.
 
  -- ${maintainer}  ${date}
 ")
@@ -79,12 +79,12 @@ Recommends: ca-certificates, fonts-dejavu-core, qt6-wayland, gnome-keyring | kwa
 Suggests: ffmpeg
 Section: science
 Priority: optional
-Description: look at the maps of mobile robots, live, and correct them
- mapwright shows the maps of mobile robots, live and exact, and says what is
- missing. It connects to Autoxing and Agibot robots and to ROS 1 and ROS 2
- robots with a rosbridge server, opens maps of map_server, and plays recordings
- (MCAP, bags of ROS 1). Waypoints and pictures of maps are edited; robots are
- recorded; maps are compared and exported.
+Description: view and edit the maps of mobile robots
+ mapwright shows the maps of mobile robots: live, exact to the cell, with every
+ gap marked. It connects to Autoxing and Agibot robots and to ROS 1 and ROS 2
+ robots with a rosbridge server, opens maps of map_server, and replays
+ recordings (MCAP, bags of ROS 1 and ROS 2). Overlays, waypoints and pictures of
+ maps are edited; robots are recorded; maps are compared and exported.
  .
  All of it works in a window and on the command line.
 ")
