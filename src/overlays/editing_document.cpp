@@ -6,78 +6,21 @@
 namespace mapwright::overlays {
 namespace {
 
-using Version = std::optional<Feature>;
-
 const Version kNowhere;
 
-bool areSame(const Version& a, const Version& b) {
-  if (!a || !b) return !a && !b;
-  if (&a->text() == &b->text()) return true;  // the very same: features are shared
-  return changesOf(*a, *b).empty();
-}
-
-bool onlyNewId(const std::vector<PartChange>& changes) {
-  return std::all_of(changes.begin(), changes.end(), [](const PartChange& change) {
-    return !change.before && change.part.name == "id" && change.part.of != Part::Of::Whole;
-  });
-}
-
-/// Whether a part lies within the other, so that both cannot be kept.
-bool meet(const Part& a, const Part& b) {
-  const auto isAll = [](const Part& part) {
-    return part.of == Part::Of::Member && part.name == "properties";
-  };
-  return a == b || (isAll(a) && b.of == Part::Of::Property) || (isAll(b) && a.of == Part::Of::Property);
-}
-
-/// Mine, with what they changed elsewhere. `clash` is told the parts that both changed differently.
-Version versionOn(const Version& base, const Version& mine, const Version& theirs,
-                  const std::function<void(const Part&)>& clash) {
-  if (areSame(base, mine)) return theirs;
-  if (areSame(base, theirs) && (!base || base->text() == theirs->text())) return mine;
-  if (!mine || !theirs) {
-    if (base && theirs && onlyNewId(changesOf(*base, *theirs))) return mine;
-    if (mine || theirs) clash({});
-    return mine;
-  }
-  const std::vector<PartChange> ours = base ? changesOf(*base, *mine) : changesOf(*theirs, *mine);
-  const std::vector<PartChange> others = base ? changesOf(*base, *theirs) : std::vector<PartChange>();
-  Feature merged = *theirs;
-  for (const PartChange& part : ours) {
-    const bool met = base ? std::any_of(others.begin(), others.end(),
-                                        [&](const PartChange& other) { return meet(other.part, part.part); })
-                          : part.after.has_value();
-    if (!base && !part.after) continue;  // they added more than I did
-    merged = withPart(merged, part.part, part.after);
-    if (met && partOf(merged, part.part) != partOf(*theirs, part.part) && !changesOf(merged, *theirs).empty())
-      clash(part.part);
-  }
-  // What held the properties goes with the last of them, as it did here.
-  const auto held = merged.root().member("properties");
-  if (held && held->isObject() && held->children().empty() && !mine->root().member("properties"))
-    merged = withPart(merged, {Part::Of::Member, "properties"}, std::nullopt);
-  return merged;
-}
-
-Version collectionOf(const OverlayDocument& document) {
-  auto json = document.collection();
-  return json ? Version(Feature(std::move(*json))) : std::nullopt;
-}
-
 /// The document with the members of the collection that `after` has other than `before`.
-OverlayDocument withCollection(OverlayDocument document, const Version& before, const Version& after) {
-  if (!after || areSame(before, after)) return document;
+OverlayDocument withCollection(OverlayDocument document, const Feature& before, const Feature& after) {
   std::set<std::string> members;
-  for (const PartChange& change : changesOf(before ? *before : Feature("{}"), *after))
+  for (const PartChange& change : changesOf(before, after))
     members.insert(change.part.of == Part::Of::Property ? "properties" : change.part.name);
-  for (const std::string& member : members) {
-    const auto value = after->root().member(member);
-    document.setMember(member, value ? std::optional(std::string(value->text())) : std::nullopt);
-  }
+  for (const std::string& member : members)
+    document.setMember(member, partOf(after, {Part::Of::Member, member}));
   return document;
 }
 
 }  // namespace
+
+EditingDocument::EditingDocument() : EditingDocument(OverlayDocument()) {}
 
 EditingDocument::EditingDocument(OverlayDocument base)
     : base_(std::move(base)), collection_base_(collectionOf(base_)), collection_now_(collection_base_) {
@@ -112,7 +55,7 @@ OverlayDocument EditingDocument::mine() const {
   for (FeatureKey key = 0; key < now_.size(); ++key) {
     if (now_[key] && !placed.contains(key)) document.add(*now_[key]);
   }
-  return withCollection(std::move(document), collection_base_, collection_now_);
+  return withCollection(std::move(document), *collection_base_, *collection_now_);
 }
 
 std::vector<FeatureKey> EditingDocument::keysOfMine() const {
@@ -206,18 +149,62 @@ std::set<FeatureKey> EditingDocument::keysOf(std::size_t step) const {
   return keys;
 }
 
+std::vector<FeatureEdit> EditingDocument::editsTo(const OverlayDocument& version) {
+  const OverlayDocument here = mine();
+  const std::vector<FeatureKey> keys = keysOfMine();
+  const auto matches = matchesOf(here, version);
+  std::vector<bool> known(version.features().size());
+  std::vector<FeatureEdit> edits;
+  const auto edit = [&edits](FeatureKey key, const Feature& before, const Feature& after) {
+    if (const auto changes = changesOf(before, after); !changes.empty())
+      edits.push_back({key, before, withChanges(before, changes, after)});
+  };
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (matches[i]) {
+      known[*matches[i]] = true;
+      edit(keys[i], here.features()[i], version.features()[*matches[i]]);
+    } else {
+      edits.push_back({keys[i], now_[keys[i]], std::nullopt});
+    }
+  }
+  // What is only deleted here is that feature again.
+  std::map<std::string, FeatureKey> deleted;
+  for (FeatureKey key = 0; key < now_.size(); ++key) {
+    if (base_of_[key] && !now_[key] && !base_of_[key]->id().empty())
+      deleted.emplace(base_of_[key]->id(), key);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i]) continue;
+    const auto again = deleted.extract(version.features()[i].id());
+    edits.push_back({again.empty() ? newKey() : again.mapped(), std::nullopt, version.features()[i]});
+  }
+  edit(kCollectionKey, *collection_now_, collectionOf(version));
+  return edits;
+}
+
 void EditingDocument::rebase(const OverlayDocument& theirs) {
   std::vector<std::optional<FeatureKey>> keys(theirs.features().size());
   const auto known = matchesOf(base_, theirs);
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (known[i]) keys[*known[i]] = base_keys_[i];
   }
-  // What both added under one id is one feature.
+  // What both added is one feature.
+  std::vector<FeatureKey> added_keys;
+  std::vector<std::size_t> added_there;
+  std::vector<Feature> added, others;
   for (FeatureKey key = 0; key < now_.size(); ++key) {
-    if (base_of_[key] || !now_[key] || now_[key]->id().empty()) continue;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (!keys[i] && theirs.features()[i].id() == now_[key]->id()) keys[i] = key;
-    }
+    if (base_of_[key] || !now_[key]) continue;
+    added_keys.push_back(key);
+    added.push_back(*now_[key]);
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i]) continue;
+    added_there.push_back(i);
+    others.push_back(theirs.features()[i]);
+  }
+  const auto equal = equalOf(added, others);
+  for (std::size_t i = 0; i < equal.size(); ++i) {
+    if (equal[i]) keys[added_there[*equal[i]]] = added_keys[i];
   }
   for (auto& key : keys) {
     if (!key) key = newKey();
@@ -237,8 +224,8 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
       const bool whole = edit.key == kCollectionKey;
       const Version &base = whole ? collection_base_ : base_of_[edit.key],
                     &now = whole ? collection_there : there[edit.key];
-      edit.before = versionOn(base, edit.before, now, ignored);
-      edit.after = versionOn(base, edit.after, now, ignored);
+      edit.before = merged(base, edit.before, now, ignored);
+      edit.after = merged(base, edit.after, now, ignored);
     }
   }
   std::set<FeatureKey> undecided;
@@ -249,13 +236,13 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
     if (!areSame(base, there[key]) && !areSame(now_[key], there[key]) &&
         !(base && there[key] && onlyNewId(changesOf(*base, *there[key]))))
       changed_there_.insert(key);
-    now_[key] = versionOn(base, now_[key], there[key], [&](const Part& part) {
+    now_[key] = merged(base, now_[key], there[key], [&](const Part& part) {
       met_.emplace(key, part);
       before_conflict_.emplace(key, base);
     });
     base_of_[key] = there[key];
   }
-  collection_now_ = versionOn(collection_base_, collection_now_, collection_there, [&](const Part& part) {
+  collection_now_ = merged(collection_base_, collection_now_, collection_there, [&](const Part& part) {
     met_.emplace(kCollectionKey, part);
     before_conflict_.emplace(kCollectionKey, collection_base_);
   });
@@ -298,6 +285,11 @@ bool EditingDocument::inConflict(FeatureKey key) const {
   return std::any_of(open.begin(), open.end(), [&](const Conflict& each) { return each.first == key; });
 }
 
+const Version& EditingDocument::beforeConflict(FeatureKey key) const {
+  const auto before = before_conflict_.find(key);
+  return before == before_conflict_.end() ? kNowhere : before->second;
+}
+
 std::optional<std::string> EditingDocument::mineOf(const Conflict& conflict) const {
   const Version& mine = find(conflict.first);
   return mine ? partOf(*mine, conflict.second) : std::nullopt;
@@ -312,7 +304,10 @@ void EditingDocument::takeTheirs(const Conflict& conflict) {
   const auto& [key, part] = conflict;
   const Version &mine = find(key), &theirs = findBase(key);
   Version after = theirs;
-  if (part.of != Part::Of::Whole && mine && theirs) after = withPart(*mine, part, partOf(*theirs, part));
+  if (part.of != Part::Of::Whole && mine && theirs) {
+    after = withPart(*mine, part, partOf(*theirs, part));
+    if (areSame(after, theirs)) after = theirs;  // to the byte
+  }
   change({{key, mine, after}});
 }
 
@@ -332,52 +327,30 @@ OverlayDocument EditingDocument::draftBase() const {
     if (before != before_conflict_.end() && before->second) document.add(*before->second);
   }
   if (const auto before = before_conflict_.find(kCollectionKey); before != before_conflict_.end())
-    document = withCollection(std::move(document), collection_base_, before->second);
+    document = withCollection(std::move(document), *collection_base_, *before->second);
   return document;
 }
 
 void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine) {
   // As if it had been done before they changed theirs.
   EditingDocument old(old_base);
-  const auto matches = matchesOf(old_base, old_mine);
-  std::vector<bool> known(old_mine.features().size());
-  std::vector<FeatureEdit> edits;
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    const Version after = matches[i] ? Version(old_mine.features()[*matches[i]]) : Version();
-    if (matches[i]) known[*matches[i]] = true;
-    edits.push_back({i, old_base.features()[i], after});
-  }
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (!known[i]) edits.push_back({old.newKey(), std::nullopt, old_mine.features()[i]});
-  }
-  if (const Version collection = collectionOf(old_mine))
-    edits.push_back({kCollectionKey, old.collection_now_, collection});
-  old.change(std::move(edits));
-  const OverlayDocument here = mine();
-  old.rebase(here);
+  old.change(old.editsTo(old_mine));
+  old.rebase(mine());
   // Its keys become ours: its base is what is here.
-  const std::vector<FeatureKey> here_keys = keysOfMine();
-  std::vector<std::optional<FeatureKey>> ours(old.size());
-  for (std::size_t i = 0; i < old.base_keys_.size(); ++i) ours[old.base_keys_[i]] = here_keys[i];
-  std::vector<FeatureEdit> taken;
+  std::map<FeatureKey, FeatureKey> ours{{kCollectionKey, kCollectionKey}};
+  const std::vector<FeatureKey> here = keysOfMine();
+  for (std::size_t i = 0; i < here.size(); ++i) ours[old.base_keys_[i]] = here[i];
   for (FeatureKey key = 0; key < old.size(); ++key) {
-    if (!ours[key]) {
-      if (!old.now_[key]) continue;
-      ours[key] = newKey();
-    }
-    taken.push_back({*ours[key], now_[*ours[key]], old.now_[key]});
+    if (old.now_[key] && !ours.contains(key)) ours[key] = newKey();
   }
-  taken.push_back({kCollectionKey, collection_now_, old.collection_now_});
+  std::vector<FeatureEdit> taken;
+  for (const auto& [of_old, key] : ours) taken.push_back({key, find(key), old.find(of_old)});
   change(std::move(taken));
-  for (const Conflict& conflict : old.met_) {
-    if (conflict.first == kCollectionKey) {
-      met_.insert(conflict);
-      before_conflict_.emplace(kCollectionKey, old.before_conflict_.at(kCollectionKey));
-      continue;
-    }
-    if (!ours[conflict.first]) continue;
-    met_.emplace(*ours[conflict.first], conflict.second);
-    before_conflict_.emplace(*ours[conflict.first], old.before_conflict_.at(conflict.first));
+  for (const auto& [of_old, part] : old.met_) {
+    const auto key = ours.find(of_old);
+    if (key == ours.end()) continue;
+    met_.emplace(key->second, part);
+    before_conflict_.emplace(key->second, old.before_conflict_.at(of_old));
   }
 }
 

@@ -32,7 +32,7 @@ class EditingDocument {
  public:
   enum class State { Same, New, Changed, Deleted };
 
-  EditingDocument() = default;
+  EditingDocument();
   explicit EditingDocument(OverlayDocument base);
 
   /// What the robot holds, as far as known.
@@ -44,7 +44,7 @@ class EditingDocument {
 
   /// All keys are below it.
   std::size_t size() const { return now_.size(); }
-  /// nullopt: it is deleted, or there is none. The collection is not there if the text has no object for it.
+  /// nullopt: it is deleted, or there is none. The collection is always there.
   const std::optional<Feature>& find(FeatureKey key) const;
   const std::optional<Feature>& findBase(FeatureKey key) const;
   /// Another notation is no change.
@@ -58,6 +58,9 @@ class EditingDocument {
   /// Makes a step of these; those without effect are dropped. False: nothing was left. What was undone can
   /// not be redone any more. `joins`: it goes on with the step before it.
   bool change(std::vector<FeatureEdit> edits, bool joins = false);
+  /// The edits that make `version` of it. What is the same keeps its bytes; what is only deleted here, and
+  /// has the same id, is that feature again.
+  std::vector<FeatureEdit> editsTo(const OverlayDocument& version);
   bool undo();
   bool redo();
   std::size_t stepsDone() const { return done_; }
@@ -79,6 +82,8 @@ class EditingDocument {
   /// Those that are open: mine and theirs still differ. Mine is here, theirs in the base.
   std::vector<Conflict> conflicts() const;
   bool inConflict(FeatureKey key) const;
+  /// What the feature was before they changed it; nullopt: it was not there.
+  const std::optional<Feature>& beforeConflict(FeatureKey key) const;
   std::optional<std::string> mineOf(const Conflict& conflict) const;
   std::optional<std::string> theirsOf(const Conflict& conflict) const;
   /// Mine stays, and replaces theirs when it is saved.
@@ -93,15 +98,14 @@ class EditingDocument {
   void takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine);
 
  private:
-  using Version = std::optional<Feature>;
   void apply(const std::vector<FeatureEdit>& edits, bool forward);
   Version& nowOf(FeatureKey key) { return key == kCollectionKey ? collection_now_ : now_[key]; }
   void resize(std::size_t size);
 
   OverlayDocument base_;
-  std::vector<FeatureKey> base_keys_;   // of its features
-  std::vector<Version> base_of_, now_;  // by key
-  Version collection_base_, collection_now_;
+  std::vector<FeatureKey> base_keys_;         // of its features
+  std::vector<Version> base_of_, now_;        // by key
+  Version collection_base_, collection_now_;  // never nullopt
   std::vector<std::vector<FeatureEdit>> steps_;
   std::size_t done_ = 0;
   struct Compared {

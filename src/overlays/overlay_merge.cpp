@@ -1,10 +1,11 @@
 #include "overlays/overlay_merge.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <unordered_map>
 #include <utility>
+
+#include "overlays/editing_document.h"
 
 namespace mapwright::overlays {
 namespace {
@@ -13,6 +14,7 @@ constexpr std::string_view kProperties = "properties";
 constexpr std::string_view kFeaturesMember = "features";
 
 const Part kAllProperties{Part::Of::Member, std::string(kProperties)};
+const Part kType{Part::Of::Member, "type"};
 
 using Parts = std::map<Part, JsonValue>;
 
@@ -86,10 +88,12 @@ class Matching {
   Matching(const std::vector<Feature>& a, const std::vector<Feature>& b)
       : a_(a), b_(b), to_b_(a.size()), taken_(b.size()) {}
 
-  Matches match() {
+  /// `guess`: also by name and type, and by place.
+  Matches match(bool guess) {
     pair([](const Feature& feature) { return feature.text(); }, false, false);
     pair([](const Feature& feature) { return feature.id(); }, false, false);
     pair(contentOf, true, false);
+    if (!guess) return std::move(to_b_);
     pair(
         [](const Feature& feature) {
           const std::string name = feature.name();
@@ -125,10 +129,16 @@ class Matching {
       if (key.empty() || found == right.end()) continue;
       const std::vector<std::size_t>& others = found->second;
       if (unique && (ours.size() > 1 || others.size() > 1)) continue;
-      for (std::size_t i = 0; i < std::min(ours.size(), others.size()); ++i) {
-        if (without_id && !a_[ours[i]].id().empty() && !b_[others[i]].id().empty()) continue;
-        to_b_[ours[i]] = others[i];
-        taken_[others[i]] = true;
+      std::size_t next = 0;  // all before it are taken
+      for (const std::size_t mine : ours) {
+        while (next < others.size() && taken_[others[next]]) ++next;
+        const bool has_id = without_id && !a_[mine].id().empty();
+        for (std::size_t i = next; i < others.size(); ++i) {
+          if (taken_[others[i]] || (has_id && !b_[others[i]].id().empty())) continue;
+          to_b_[mine] = others[i];
+          taken_[others[i]] = true;
+          break;
+        }
       }
     }
   }
@@ -146,156 +156,29 @@ OverlayChange changeOf(ChangeKind kind, const Feature& feature) {
   return change;
 }
 
-/// The parts of the collections besides their features.
-std::vector<PartChange> collectionChanges(const OverlayDocument& before, const OverlayDocument& after) {
-  static const JsonText none = *JsonText::read("{}");
-  const auto old = before.collection(), now = after.collection();
-  std::vector<PartChange> changes = partChanges((old ? *old : none).root(), (now ? *now : none).root());
-  // A list that becomes a collection says nothing new.
-  std::erase_if(changes, [](const PartChange& change) {
-    return change.part == Part{Part::Of::Member, "type"} && (!change.before || !change.after);
-  });
-  return changes;
+bool sameText(const std::optional<std::string>& a, const std::optional<std::string>& b) {
+  if (a == b) return true;
+  if (!a || !b) return false;
+  const auto one = JsonText::read(*a), other = JsonText::read(*b);
+  return one && other && sameValue(one->root(), other->root());
 }
 
-class Merging {
- public:
-  Merging(const OverlayDocument& base, const OverlayDocument& mine, const OverlayDocument& theirs)
-      : base_(base), mine_(mine), theirs_(theirs) {
-    merge_.document = theirs;
-    merge_.mine = changesBetween(base, mine);
-    merge_.theirs = changesBetween(base, theirs);
-    in_theirs_ = Matching(base.features(), theirs.features()).match();
-  }
-
-  OverlayMerge merge() {
-    for (const OverlayChange& change : merge_.mine) {
-      if (change.collection) {
-        mergeCollection(change);
-      } else if (change.kind == ChangeKind::Add) {
-        mergeAdded(mine_.features()[*change.to]);
-      } else if (change.kind == ChangeKind::Remove) {
-        mergeRemoved(*change.from);
-      } else {
-        mergeChanged(change);
-      }
-    }
-    // From the last one on, so that the indices stay right.
-    std::sort(removed_.rbegin(), removed_.rend());
-    for (const std::size_t index : removed_) merge_.document.remove(index);
-    for (Feature& feature : added_) merge_.document.add(std::move(feature));
-    return std::move(merge_);
-  }
-
- private:
-  void mergeCollection(const OverlayChange& change) {
-    const auto theirs = collectionChanges(base_, theirs_);
-    for (const PartChange& part : change.parts) {
-      if (clashes(part, theirs, {}, {})) continue;
-      static const JsonText none = *JsonText::read("{}");
-      const auto now = merge_.document.collection();
-      const JsonText text = *JsonText::read(textWithPart((now ? *now : none).root(), part.part, part.after));
-      const std::string member =
-          part.part.of == Part::Of::Property ? std::string(kProperties) : part.part.name;
-      auto value = text.root().member(member);
-      // The last one of them goes with what held them, as it does in mine.
-      const auto mine = mine_.collection();
-      const bool emptied = value && value->isObject() && value->children().empty();
-      if (emptied && !(mine && mine->root().member(member))) value.reset();
-      merge_.document.setMember(member, value ? std::optional(std::string(value->text())) : std::nullopt);
-    }
-  }
-
-  void mergeAdded(const Feature& feature) {
-    const std::string id = feature.id();
-    for (const OverlayChange& theirs : merge_.theirs) {
-      if (theirs.kind != ChangeKind::Add) continue;
-      const Feature& other = theirs_.features()[*theirs.to];
-      if (contentOf(other) == contentOf(feature) && (id.empty() || other.id().empty() || id == other.id()))
-        return;  // it is there already
-      if (id.empty() || id != other.id()) continue;
-      for (const PartChange& part : partChanges(other.root(), feature.root()))
-        merge_.conflicts.push_back({id, feature.name(), part.part, std::nullopt, part.after, part.before});
-      return;
-    }
-    added_.push_back(feature);
-  }
-
-  void mergeRemoved(std::size_t in_base) {
-    const auto in_theirs = in_theirs_[in_base];
-    if (!in_theirs) return;  // they removed it, too
-    const Feature &base = base_.features()[in_base], &theirs = theirs_.features()[*in_theirs];
-    if (!withoutNewId(partChanges(base.root(), theirs.root())).empty()) {
-      merge_.conflicts.push_back({base.id(), base.name(), {}, base.text(), std::nullopt, theirs.text()});
-    } else {
-      removed_.push_back(*in_theirs);
-    }
-  }
-
-  void mergeChanged(const OverlayChange& change) {
-    const Feature& base = base_.features()[*change.from];
-    const auto in_theirs = in_theirs_[*change.from];
-    if (!in_theirs) {
-      merge_.conflicts.push_back(
-          {base.id(), base.name(), {}, base.text(), mine_.features()[*change.to].text(), std::nullopt});
-      return;
-    }
-    const auto theirs = partChanges(base.root(), theirs_.features()[*in_theirs].root());
-    for (const PartChange& part : change.parts) {
-      if (clashes(part, theirs, base.id(), base.name())) continue;
-      const Feature& now = merge_.document.features()[*in_theirs];
-      merge_.document.replace(*in_theirs, withPart(now, part.part, part.after));
-    }
-  }
-
-  /// They changed it, too: a conflict, or the same.
-  bool clashes(const PartChange& part, const std::vector<PartChange>& theirs, const std::string& id,
-               const std::string& name) {
-    for (const PartChange& other : theirs) {
-      // One of them made the properties something else than an object.
-      const bool whole = (other.part == kAllProperties && part.part.of == Part::Of::Property) ||
-                         (part.part == kAllProperties && other.part.of == Part::Of::Property);
-      if (!whole && !(other.part == part.part)) continue;
-      if (whole || !sameText(part.after, other.after))
-        merge_.conflicts.push_back({id, name, part.part, part.before, part.after, other.after});
-      return true;
-    }
-    return false;
-  }
-
-  static bool sameText(const std::optional<std::string>& a, const std::optional<std::string>& b) {
-    if (!a || !b) return a == b;
-    const auto left = JsonText::read(*a), right = JsonText::read(*b);
-    return left && right && sameValue(left->root(), right->root());
-  }
-
-  /// Robots give an id to features that had none.
-  static std::vector<PartChange> withoutNewId(std::vector<PartChange> changes) {
-    std::erase_if(changes, [](const PartChange& change) {
-      return !change.before && change.part.name == "id" && change.part.of != Part::Of::Whole;
-    });
-    return changes;
-  }
-
-  const OverlayDocument &base_, &mine_, &theirs_;
-  Matches in_theirs_;
-  OverlayMerge merge_;
-  std::vector<std::size_t> removed_;
-  std::vector<Feature> added_;
-};
+bool isOfProperties(const PartChange& change) {
+  return change.part == kAllProperties || change.part.of == Part::Of::Property;
+}
 
 }  // namespace
 
 std::vector<OverlayChange> changesBetween(const OverlayDocument& before, const OverlayDocument& after) {
   std::vector<OverlayChange> changes;
-  if (std::vector<PartChange> parts = collectionChanges(before, after); !parts.empty()) {
+  if (auto parts = changesOf(collectionOf(before), collectionOf(after)); !parts.empty()) {
     OverlayChange change;
     change.collection = true;
     change.parts = std::move(parts);
     changes.push_back(std::move(change));
   }
   const std::vector<Feature>&old = before.features(), &now = after.features();
-  const Matches matches = Matching(old, now).match();
+  const Matches matches = matchesOf(before, after);
   std::vector<bool> known(now.size());
   for (std::size_t i = 0; i < old.size(); ++i) {
     if (!matches[i]) {
@@ -305,9 +188,7 @@ std::vector<OverlayChange> changesBetween(const OverlayDocument& before, const O
       continue;
     }
     known[*matches[i]] = true;
-    std::vector<PartChange> parts = old[i].text() == now[*matches[i]].text()
-                                        ? std::vector<PartChange>()
-                                        : partChanges(old[i].root(), now[*matches[i]].root());
+    std::vector<PartChange> parts = changesOf(old[i], now[*matches[i]]);
     if (parts.empty()) continue;
     OverlayChange change = changeOf(ChangeKind::Change, now[*matches[i]]);
     change.parts = std::move(parts);
@@ -325,7 +206,20 @@ std::vector<OverlayChange> changesBetween(const OverlayDocument& before, const O
 }
 
 std::vector<std::optional<std::size_t>> matchesOf(const OverlayDocument& a, const OverlayDocument& b) {
-  return Matching(a.features(), b.features()).match();
+  return Matching(a.features(), b.features()).match(true);
+}
+
+std::vector<std::optional<std::size_t>> equalOf(const std::vector<Feature>& a,
+                                                const std::vector<Feature>& b) {
+  return Matching(a, b).match(false);
+}
+
+Feature collectionOf(const OverlayDocument& document) {
+  const Feature plain(R"({"type":"FeatureCollection"})");
+  auto json = document.collection();
+  if (!json) return plain;
+  const Feature collection(std::move(*json));
+  return partOf(collection, kType) ? collection : withPart(collection, kType, partOf(plain, kType));
 }
 
 std::vector<PartChange> changesOf(const Feature& before, const Feature& after) {
@@ -334,7 +228,10 @@ std::vector<PartChange> changesOf(const Feature& before, const Feature& after) {
 }
 
 std::optional<std::string> partOf(const Feature& feature, const Part& part) {
-  return part.of == Part::Of::Whole ? feature.text() : written(partsOf(feature.root()), part);
+  if (part.of == Part::Of::Whole) return feature.text();
+  const auto value =
+      part.of == Part::Of::Property ? feature.property(part.name) : feature.root().member(part.name);
+  return value ? std::optional(std::string(value->text())) : std::nullopt;
 }
 
 Feature withPart(const Feature& feature, const Part& part, const std::optional<std::string>& value) {
@@ -342,8 +239,86 @@ Feature withPart(const Feature& feature, const Part& part, const std::optional<s
   return Feature(textWithPart(feature.root(), part, value));
 }
 
+Feature withChanges(Feature onto, const std::vector<PartChange>& changes, const Feature& after) {
+  for (const PartChange& change : changes) onto = withPart(onto, change.part, change.after);
+  // What held the properties goes with the last of them.
+  const auto held = onto.root().member(kProperties);
+  const bool emptied = held && held->isObject() && held->children().empty();
+  return emptied && !after.root().member(kProperties) ? withPart(onto, kAllProperties, std::nullopt) : onto;
+}
+
+bool areSame(const Version& a, const Version& b) {
+  if (!a || !b) return !a && !b;
+  if (&a->text() == &b->text()) return true;  // the very same: features are shared
+  return changesOf(*a, *b).empty();
+}
+
+bool onlyNewId(const std::vector<PartChange>& changes) {
+  return std::all_of(changes.begin(), changes.end(), [](const PartChange& change) {
+    return !change.before && change.part.name == "id" && change.part.of != Part::Of::Whole;
+  });
+}
+
+bool meet(const Part& a, const Part& b) {
+  return a == b || (a == kAllProperties && b.of == Part::Of::Property) ||
+         (b == kAllProperties && a.of == Part::Of::Property);
+}
+
+Version merged(const Version& base, const Version& mine, const Version& theirs,
+               const std::function<void(const Part&)>& clash) {
+  if (areSame(base, mine)) return theirs;
+  if (base && theirs && base->text() == theirs->text()) return mine;
+  if (!mine || !theirs) {
+    const bool kept = theirs && base && onlyNewId(changesOf(*base, *theirs));
+    if (base && (mine || theirs) && !kept) clash({});
+    return mine;
+  }
+  const Feature before = base.value_or(Feature("{}"));
+  std::vector<PartChange> ours = changesOf(before, *mine);
+  const std::vector<PartChange> others = changesOf(before, *theirs);
+  // Properties that one of them made something else than an object are one value.
+  const auto is_all = [](const PartChange& change) { return change.part == kAllProperties; };
+  const auto any = [](const std::vector<PartChange>& changes, const auto& is) {
+    return std::any_of(changes.begin(), changes.end(), is);
+  };
+  bool all_of_mine = false;
+  if ((any(ours, is_all) || any(others, is_all)) && any(ours, isOfProperties) &&
+      any(others, isOfProperties)) {
+    std::erase_if(ours, isOfProperties);
+    all_of_mine = !sameText(partOf(*mine, kAllProperties), partOf(*theirs, kAllProperties));
+    if (all_of_mine) clash(kAllProperties);
+  }
+  // What both made the same stays as they wrote it.
+  std::erase_if(ours, [&](const PartChange& change) {
+    return change.part != kAllProperties && sameText(partOf(*theirs, change.part), change.after);
+  });
+  for (const PartChange& change : ours) {
+    if (any(others, [&](const PartChange& other) { return other.part == change.part; })) clash(change.part);
+  }
+  Feature merged = withChanges(*theirs, ours, *mine);
+  return all_of_mine ? withPart(merged, kAllProperties, partOf(*mine, kAllProperties)) : merged;
+}
+
 OverlayMerge merge(const OverlayDocument& base, const OverlayDocument& mine, const OverlayDocument& theirs) {
-  return Merging(base, mine, theirs).merge();
+  EditingDocument document(base);
+  document.change(document.editsTo(mine));
+  document.rebase(theirs);
+  OverlayMerge merge{{}, changesBetween(base, mine), changesBetween(base, theirs), {}};
+  const auto conflicts = document.conflicts();
+  for (const auto& conflict : conflicts) {
+    const auto& [key, part] = conflict;
+    const Version& was = document.beforeConflict(key);
+    const Version& named = was ? was : document.find(key);
+    OverlayConflict& told = merge.conflicts.emplace_back();
+    if (key != kCollectionKey) told = {named->id(), named->name(), {}, {}, {}, {}};
+    told.part = part;
+    told.base = was ? partOf(*was, part) : std::nullopt;
+    told.mine = document.mineOf(conflict);
+    told.theirs = document.theirsOf(conflict);
+  }
+  for (const auto& conflict : conflicts) document.takeTheirs(conflict);
+  merge.document = document.mine();
+  return merge;
 }
 
 }  // namespace mapwright::overlays

@@ -115,9 +115,7 @@ void OverlayActions::askSpacing() {
 void OverlayActions::askDefaults() {
   if (defaults_dialog_) return defaults_dialog_->raise();
   if (!editing_->editable()) return;
-  const auto& now = editing_->document().find(kCollectionKey);
-  defaults_dialog_ = new CollectionDialog(
-      now ? *now : Feature(R"({"type": "FeatureCollection", "features": []})"), &context_.window);
+  defaults_dialog_ = new CollectionDialog(*editing_->document().find(kCollectionKey), &context_.window);
   connect(defaults_dialog_, &QDialog::accepted, this, [this] {
     if (!defaults_dialog_ || !editing_->editable()) return;
     editing_->set(kCollectionKey, defaults_dialog_->edited(), tr("change the defaults of the map"));

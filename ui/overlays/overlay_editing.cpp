@@ -285,38 +285,7 @@ void OverlayEditing::revert() {
 }
 
 void OverlayEditing::become(const OverlayDocument& version, const QString& text) {
-  const OverlayDocument mine = document_.mine();
-  const std::vector<FeatureKey> keys = document_.keysOfMine();
-  const auto matches = overlays::matchesOf(mine, version);
-  record(text, [&] {
-    std::vector<FeatureEdit> edits;
-    std::vector<bool> known(version.features().size());
-    for (std::size_t i = 0; i < matches.size(); ++i) {
-      const auto& before = document_.find(keys[i]);
-      if (!matches[i]) {
-        edits.push_back({keys[i], before, std::nullopt});
-        continue;
-      }
-      known[*matches[i]] = true;
-      const Feature& after = version.features()[*matches[i]];
-      if (!overlays::changesOf(*before, after).empty()) edits.push_back({keys[i], before, after});
-    }
-    // What is only deleted here is that feature again.
-    std::map<std::string, FeatureKey> deleted;
-    for (FeatureKey key = 0; key < document_.size(); ++key) {
-      const auto& there = document_.findBase(key);
-      if (there && !document_.find(key) && !there->id().empty()) deleted.emplace(there->id(), key);
-    }
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      if (known[i]) continue;
-      const auto again = deleted.extract(version.features()[i].id());
-      const FeatureKey key = again.empty() ? document_.newKey() : again.mapped();
-      edits.push_back({key, std::nullopt, version.features()[i]});
-    }
-    edits.push_back({kCollectionKey, document_.find(kCollectionKey),
-                     overlays::EditingDocument(version).find(kCollectionKey)});
-    document_.change(std::move(edits));
-  });
+  record(text, [&] { document_.change(document_.editsTo(version)); });
 }
 
 }  // namespace mapwright::window
