@@ -76,7 +76,10 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> robotOrReplay(const QString
 
 class Desk : public test::ShownWindow {
  public:
-  Desk() : ShownWindow([](const QString& to, const QByteArray&) { return robotOrReplay(to); }) {}
+  Desk() : ShownWindow([](const QString& to, const QByteArray&) { return robotOrReplay(to); }) {
+    constexpr int kToastMs = 100;  // they are waited for
+    window().findChild<window::MapOverlay*>()->toasts()->setLifetimeMs(kToastMs);
+  }
 
   QString written(const QString& name, const std::string& bytes) {
     QFile file(filePath(name));
@@ -220,7 +223,7 @@ class IdleWindowTest : public QObject {
     QVERIFY(desk.connectTo(QString::fromStdString(address)));
     QTRY_VERIFY_WITH_TIMEOUT(desk.session() && desk.session()->live().robot_pose, 60'000);
     QVERIFY(desk.settles());
-    constexpr int kSeconds = 6;
+    constexpr int kSeconds = 3;
     const Seen seen = watched(desk, kSeconds * 1000);
     QVERIFY(seen.calls > 0);  // it does speak
     QVERIFY2(seen.map_paints == 0, seen.words);

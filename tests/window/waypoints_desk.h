@@ -88,9 +88,13 @@ struct WaypointsDesk : Bench {
     moveTo(to, Qt::AltModifier);
     QTest::mouseRelease(window->view()->viewport(), Qt::LeftButton, Qt::AltModifier, to);
   }
+  /// Whether to leave, or whether to discard all.
   void answer(QMessageBox::StandardButton button) {
-    QTRY_VERIFY(control().question());
-    control().question()->button(button)->click();
+    const auto asked = [this] {
+      return control().discardQuestion() ? control().discardQuestion() : control().question();
+    };
+    QTRY_VERIFY(asked());
+    asked()->button(button)->click();
   }
   void keepAsDraft() {
     QTRY_VERIFY(control().question());

@@ -23,7 +23,6 @@
 #include "ui/overlays/overlay_tool.h"
 #include "ui/overlays/overlays_dock.h"
 #include "ui/shell/current_session.h"
-#include "ui/shell/map_drafts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -40,9 +39,7 @@ constexpr double kAroundM = 2;  // of an overlay that is shown
 }  // namespace
 
 OverlaysController::OverlaysController(WindowContext& context, const std::string& history, QObject* parent)
-    : Controller(parent),
-      context_(context),
-      left_map_(context),
+    : EditorController(context, parent),
       on_map_(new OverlaysOnMap(&editing_, &context.scene, this)),
       snapping_(new OverlaySnapping(&editing_, &context.scene, on_map_, this)),
       tool_(new OverlayTool(&editing_, &context.scene, on_map_, snapping_, this)),
@@ -137,22 +134,11 @@ void OverlaysController::addActions() {
 }
 
 void OverlaysController::setSession(session::Session* session) {
-  if (session_) {
-    session_->disconnect(this);
-    session_->wholeMap().disconnect(this);
-    disconnect(&session_->mapForChecks(), nullptr, this, nullptr);
-    session_->catalogue().disconnect(this);
-    session_->robot().disconnect(this);
-  }
-  closeMap();
-  left_map_.clear();
-  session_ = session;
+  if (session_) session_->mapForChecks().disconnect(this);
+  EditorController::setSession(session);
   editing_.setInFile(session_ && session_->robot().isLocal());
   if (session_) {
-    connect(&session_->wholeMap(), &session::MapSlot::changed, this, &OverlaysController::syncMap);
     connect(&session_->mapForChecks(), &session::MapSlot::changed, this, &OverlaysController::refresh);
-    connect(&session_->catalogue(), &session::Catalogue::changed, this, &OverlaysController::syncMap);
-    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &OverlaysController::syncMap);
     connect(session_, &session::Session::connectionChanged, this, &OverlaysController::noteLink);
     connect(&session_->robot(), &robot::Robot::mapsChanged, this, [this] {
       // Somebody wrote the file, or a file beside it.
@@ -216,12 +202,12 @@ void OverlaysController::syncMap() {
   const bool lost = session_ && !session_->robot().overlayStore() && (unsaved() || busy_);
   if (!lost && now != target_) {
     const bool other = !now || !target_ || now->map != target_->map || now->uid != target_->uid;
-    if (other && unsaved() && drafts_ && !may_leave_)
-      left_map_.onLeft(target_->map,
-                       tr("The unsaved changes to the overlays of %1 are kept as a draft.").arg(mapName()));
+    if (other && unsaved() && drafts_ && !leavingAllowed())
+      reportLeftMap(target_->map,
+                    tr("The unsaved changes to the overlays of %1 are kept as a draft.").arg(mapName()));
     if (other) closeMap();
     target_ = now;
-    if (target_) left_map_.onOpened(target_->map);
+    if (target_) onMapOpened(target_->map);
     if (target_) on_map_->setMap(target_->map, target_->robots);
     actions_->teaching()->setThere(target_ && target_->robots);
     if (target_ && other) watchDrafts();
@@ -250,9 +236,9 @@ void OverlaysController::closeMap() {
   uid_.clear();
   name_.clear();
   trouble_.clear();
-  when_saved_ = nullptr;
+  stay();
   if (review_) review_->close();
-  keepDraft();
+  closeDrafts();
   target_.reset();
   editing_.close();
 }
@@ -341,23 +327,18 @@ QString OverlaysController::decideText() const {
 }
 
 void OverlaysController::askToDecide() {
-  when_saved_ = nullptr;
-  context_.overlay.toasts()->add(Mark::Warning, decideText());
-  asked_ = true;
-  context_.panels.open(dock_);
+  EditorController::askToDecide(dock_, decideText());
   dock_->showConflicts();
 }
 
 void OverlaysController::notSaved(const QString& sentence) {
-  when_saved_ = nullptr;
+  stay();
   trouble_ = sentence;
-  context_.overlay.toasts()->add(Mark::Bad, sentence);
+  reportSaving(Mark::Bad, sentence);
 }
 
 void OverlaysController::save() {
-  // Text still being typed counts.
-  if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
-    typing->clearFocus();
+  finishInput();
   if (busy_ || !unsaved() || !session_ || !target_) return;
   if (review_) return review_->raise();
   if (!editing_.document().conflicts().empty()) return askToDecide();
@@ -385,8 +366,8 @@ void OverlaysController::look() {
       askToDecide();
     } else if (unsaved()) {
       showReview();
-    } else if (const auto then = std::exchange(when_saved_, nullptr)) {
-      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    } else {
+      onAllSaved();
     }
   });
 }
@@ -409,7 +390,7 @@ void OverlaysController::showReview() {
     review_ = nullptr;
     if (opened != opened_) return;
     if (result == QDialog::Accepted) return send();
-    when_saved_ = nullptr;
+    stay();
   });
   review_->open();
 }
@@ -417,11 +398,10 @@ void OverlaysController::showReview() {
 void OverlaysController::reviewAnew() {
   const bool conflicts = !editing_.document().conflicts().empty();
   if (!conflicts && unsaved() && changesToSave() == review_->changesShown()) return;
-  const auto then = std::exchange(when_saved_, nullptr);
-  review_->reject();
+  review_->disconnect(this);  // what waits for saving still does
+  std::exchange(review_, nullptr)->reject();
   if (conflicts) return askToDecide();
-  when_saved_ = then;
-  if (unsaved()) showReview();
+  unsaved() ? showReview() : onAllSaved();
 }
 
 void OverlaysController::send() {
@@ -468,9 +448,8 @@ void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcom
 }
 
 void OverlaysController::tellHeld() {
-  context_.overlay.toasts()->add(Mark::Good, tr("The robot holds the overlays as they are here."));
-  if (const auto then = std::exchange(when_saved_, nullptr))
-    QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+  reportSaving(Mark::Good, tr("The robot holds the overlays as they are here."));
+  onAllSaved();
 }
 
 void OverlaysController::readBack(std::function<void()> then) {
@@ -493,7 +472,6 @@ void OverlaysController::readBack(std::function<void()> then) {
 void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
   using Between = jobs::OverlayOutcome::Between;
   if (editing_.inFile()) Q_EMIT fileWritten();
-  ToastStack* const toasts = context_.overlay.toasts();
   if (!outcome.differs.empty())
     return notSaved(
         tr("The robot did not keep all overlays as they were sent: %1. They are still unsaved here.")
@@ -504,23 +482,21 @@ void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
                         .arg(sentences::sentenceOf(outcome.unreadable)));
   }
   if (outcome.certain()) {
-    toasts->add(Mark::Good, tr("Overlays of %1 saved").arg(mapName()));
+    reportSaving(Mark::Good, tr("Overlays of %1 saved").arg(mapName()));
   } else if (outcome.between == Between::Somebody) {
-    toasts->add(Mark::Warning,
-                tr("The overlays were sent, and the robot holds them. Somebody else changed them at "
-                   "the same time: what they did may be lost."));
+    reportSaving(Mark::Warning,
+                 tr("The overlays were sent, and the robot holds them. Somebody else changed them at "
+                    "the same time: what they did may be lost."));
   } else {
-    toasts->add(Mark::Warning,
-                tr("The overlays were sent, and the robot holds them. It does not tell whether "
-                   "somebody else changed them at the same time."));
+    reportSaving(Mark::Warning,
+                 tr("The overlays were sent, and the robot holds them. It does not tell whether "
+                    "somebody else changed them at the same time."));
   }
-  // Leaving ends the session, and its robot is emitting this signal.
-  const auto then = std::exchange(when_saved_, nullptr);
-  if (then && !unsaved()) QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+  unsaved() ? stay() : onAllSaved();
 }
 
 void OverlaysController::takeChange() {
-  may_leave_ = false;
+  onEdited();
   if (drafts_) drafts_->touch();
   ++ways_;
   way_.show({});
@@ -649,23 +625,16 @@ void OverlaysController::refresh() {
   if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;
   dock_->setSaving(busy_, maySave(), editing_.isOpen() ? trouble : QString());
   dock_->setOffer(drafts_ && editing_.isOpen() ? drafts_->offer() : QString());
-  if (editing_.document().conflicts().empty() && std::exchange(asked_, false))
-    context_.overlay.toasts()->withdraw(decideText());
+  updateDecision(editing_.document().conflicts().empty() ? QString() : decideText());
   tool_->setWhyNot(sentence);
   const bool usable = target_.has_value();
   allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
-  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
-  was_unsaved_ = unsaved();
-  could_save_ = maySave();
-  if (changed) Q_EMIT unsavedChanged();
+  updateUnsaved();
   history_dock_->openChanged();
 }
 
 void OverlaysController::watchDrafts() {
-  drafts_.reset();
-  may_leave_ = false;
-  if (context_.edit.drafts_folder.isEmpty()) return;
   MapDrafts::Kind kind{
       .of = {session_->robot().address(), QString::fromStdString(map::toText(target_->map) + target_->uid),
              QStringLiteral("overlays")},
@@ -684,14 +653,7 @@ void OverlaysController::watchDrafts() {
     return MapDrafts::Draft{draft->made, overlayChangesText(changes), std::move(*draft)};
   };
   kind.unsaved = [this] { return unsaved(); };
-  drafts_ = std::make_unique<MapDrafts>(context_, dock_, std::move(kind));
-  connect(drafts_.get(), &MapDrafts::changed, this, &OverlaysController::syncMap);  // they are read for it
-}
-
-/// Unsaved changes stay as a draft.
-void OverlaysController::keepDraft() {
-  if (drafts_) drafts_->keepOrTell();
-  drafts_.reset();
+  openDrafts(dock_, std::move(kind));
 }
 
 void OverlaysController::takeDraft() {
@@ -725,44 +687,18 @@ QString OverlaysController::mapName() const {
                    target_->map);
 }
 
-void OverlaysController::beforeLeaving(std::function<void()> then) {
-  if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
-    typing->clearFocus();
-  if (!unsaved() || may_leave_) return then();
-  when_left_ = std::move(then);
-  if (question_) return question_->raise();
-  question_ =
-      askToLeave(this, &context_.window, tr("Overlays are not saved"),
-                 tr("Overlays of %1: %2 not saved.")
-                     .arg(mapName(), overlayChangesText(qsizetype(editing_.document().unsavedCount()))),
-                 drafts_ != nullptr, [this](Leaving leaving) {
-                   question_ = nullptr;
-                   answer(leaving);
-                 });
+EditorController::LeaveQuestion OverlaysController::leaveQuestion() const {
+  return {tr("Overlays are not saved"),
+          tr("Overlays of %1: %2 not saved.")
+              .arg(mapName(), overlayChangesText(qsizetype(editing_.document().unsavedCount())))};
 }
 
-void OverlaysController::answer(Leaving leaving) {
-  const auto then = std::exchange(when_left_, nullptr);
-  if (!then || !editing_.isOpen()) return;
-  switch (leaving) {
-    case Leaving::Save:
-      when_saved_ = then;
-      return save();
-    case Leaving::Discard:
-      if (!editing_.editable()) return;  // it is being sent
-      editing_.revert();
-      return then();
-    case Leaving::Keep:
-      if (!drafts_) return;
-      if (const auto trouble = drafts_->keep()) {
-        context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
-        return;
-      }
-      may_leave_ = true;
-      return then();
-    case Leaving::Stay:
-      return;
-  }
+void OverlaysController::finishInput() { finishTypingIn(dock_); }
+
+void OverlaysController::discardAll(std::function<void()> then) {
+  if (!editing_.editable()) return;  // it is being sent
+  editing_.revert();
+  then();
 }
 
 }  // namespace mapwright::window

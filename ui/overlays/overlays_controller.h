@@ -1,5 +1,5 @@
-// Editing the overlays of the map on screen: reading them, the tool, the dock, the review, saving, what
-// others change meanwhile, drafts, and what is asked before the map is left.
+// Editing the overlays of the map on screen: reading them, the tool, the dock, the review, saving, and what
+// others change meanwhile.
 #pragma once
 
 #include <atomic>
@@ -7,25 +7,20 @@
 #include <memory>
 #include <optional>
 
-#include <QMessageBox>
 #include <QPointer>
 
 #include "jobs/change_overlays.h"
 #include "overlays/overlay_check.h"
 #include "robot/overlay_store.h"
-#include "ui/kit/controller.h"
 #include "ui/overlays/overlay_editing.h"
 #include "ui/overlays/overlay_history.h"
 #include "ui/overlays/overlay_marks.h"
 #include "ui/overlays/overlays_on_map.h"
-#include "ui/shell/left_map.h"
-#include "ui/shell/unsaved_question.h"
-#include "ui/shell/window_context.h"
+#include "ui/shell/editor_controller.h"
 #include "work/workers.h"
 
 namespace mapwright::window {
 
-class MapDrafts;
 class OverlayActions;
 class OverlayHistoryDock;
 class OverlayReview;
@@ -33,7 +28,7 @@ class OverlaySnapping;
 class OverlaysDock;
 class OverlayTool;
 
-class OverlaysController : public Controller {
+class OverlaysController : public EditorController {
   Q_OBJECT
  public:
   /// `history`: the file that keeps the versions that are seen; empty: none are kept.
@@ -47,7 +42,6 @@ class OverlaysController : public Controller {
   bool maySave() const override { return unsaved() && !busy_ && !broken(); }
   /// Looks at what the robot holds, and shows the review.
   void save() override;
-  void beforeLeaving(std::function<void()> then) override;
 
   OverlayEditing* editing() { return &editing_; }
   OverlayTool* tool() const { return tool_; }
@@ -59,8 +53,7 @@ class OverlaysController : public Controller {
   /// The way to the flaw that is selected.
   const OverlayMarks& way() const { return way_; }
   const OverlayMarks& states() const { return states_; }
-  OverlayReview* review() const;                       // null: none is open
-  QMessageBox* question() const { return question_; }  // null: nothing is asked
+  OverlayReview* review() const;  // null: none is open
   /// Something is on its way to or from the robot that has to end first.
   bool busy() const { return busy_; }
   /// The flaws shown are those of the overlays as they are.
@@ -78,11 +71,14 @@ class OverlaysController : public Controller {
     std::string uid = {};  // of one that is not stored
     bool operator==(const Target&) const = default;
   };
+  LeaveQuestion leaveQuestion() const override;
+  void finishInput() override;
+  void discardAll(std::function<void()> then) override;
+  void syncMap() override;
+  void closeMap() override;
   void addActions();
   void keep(const robot::OverlayText& text, bool saved);
   std::optional<Target> target() const;
-  void syncMap();
-  void closeMap();
   /// A file with overlays was opened: they are what it is about.
   bool ofFile() const;
   /// What is held cannot be read: nothing can be merged with it.
@@ -121,9 +117,7 @@ class OverlaysController : public Controller {
   void refresh();
   QString whyNot() const;
   void watchDrafts();
-  void keepDraft();
   void takeDraft();
-  void answer(Leaving leaving);
   void locate(FeatureKey key);
   QString mapName() const;
   void addHistory();
@@ -131,9 +125,6 @@ class OverlaysController : public Controller {
   void bringBack(const overlays::OverlayDocument& version, const QString& called);
   void saveVersion(const QString& suggested, const std::string& text);
 
-  WindowContext& context_;
-  LeftMap left_map_;
-  QPointer<session::Session> session_;
   OverlayEditing editing_;
   OverlaysOnMap* on_map_;
   OverlaySnapping* snapping_;
@@ -153,15 +144,10 @@ class OverlaysController : public Controller {
   std::optional<int> version_;  // that was read last
   std::string uid_, name_;      // of the map, as told then
   QString trouble_;             // of saving
-  bool was_unsaved_ = false, could_save_ = false, may_leave_ = false;
-  quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored
-  std::unique_ptr<MapDrafts> drafts_;
-  QPointer<QMessageBox> question_;
+  quint64 opened_ = 0;          // counts maps: results about earlier ones are ignored
   QPointer<OverlayReview> review_;
-  std::function<void()> when_left_, when_saved_;
   bool checking_ = false, check_again_ = false;
   std::shared_ptr<const grids::GridPyramid> checked_cells_;  // of the map that was checked last
-  bool asked_ = false;                                       // to decide, and it is not answered yet
   quint64 ways_ = 0;                                         // counts those that were asked for
   work::Tasks share_;                                        // last
 };

@@ -21,7 +21,6 @@
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
 #include "ui/shell/current_session.h"
-#include "ui/shell/map_drafts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -35,14 +34,11 @@ using session::MapSlot;
 const QString kUndoMb = QStringLiteral("picture/undo_mb");
 constexpr unsigned kUsualUndoMb = 256;
 constexpr double kSameResolutionM = 1e-6;
-const QString kSaving = QStringLiteral("picture");
 
 }  // namespace
 
 PictureController::PictureController(WindowContext& context, QObject* parent)
-    : Controller(parent),
-      context_(context),
-      left_map_(context),
+    : EditorController(context, parent),
       editing_(context.workers),
       tool_(new PictureTool(&editing_, &context.scene, this)),
       dock_(new PictureDock(&editing_, tool_, &context.window)),
@@ -60,7 +56,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   });
   connect(&editing_, &PictureEditing::previewChanged, this, &PictureController::showCells);
   connect(&editing_, &PictureEditing::stateChanged, this, [this] {
-    may_leave_ = false;
+    onEdited();
     if (drafts_) drafts_->touch();
     refresh();
     if (when_reverted_ && !editing_.reckoning())
@@ -141,22 +137,12 @@ void PictureController::addActions() {
 }
 
 void PictureController::setSession(session::Session* session) {
-  if (session_) session_->wholeMap().disconnect(this);
-  if (session_) session_->robot().disconnect(this);
-  if (session_) session_->catalogue().disconnect(this);
-  closeMap();
+  EditorController::setSession(session);
   doubt_.reset();
-  left_map_.clear();
-  session_ = session;
   wanted_map_.reset();
   if (cell_check_.stop) cell_check_.stop->store(true);
   cell_check_ = {};
-  if (session_) {
-    dock_->setLocal(session_->robot().isLocal());
-    connect(&session_->catalogue(), &session::Catalogue::changed, this, &PictureController::refresh);
-    connect(&session_->wholeMap(), &MapSlot::changed, this, &PictureController::syncMap);
-    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &PictureController::syncMap);
-  }
+  if (session_) dock_->setLocal(session_->robot().isLocal());
   syncMap();
 }
 
@@ -165,9 +151,9 @@ void PictureController::syncMap() {
   std::optional<map::MapKey> key;
   if (slot && slot->cells() && session_->robot().pictureStore()) key = slot->shown().key;
   if (key != open_map_) {
-    if (open_map_ && editing_.unsaved() && drafts_ && !may_leave_)
-      left_map_.onLeft(*open_map_,
-                       tr("The unsaved changes to the map %1 are kept as a draft.").arg(nameOf(*open_map_)));
+    if (open_map_ && editing_.unsaved() && drafts_ && !leavingAllowed())
+      reportLeftMap(*open_map_,
+                    tr("The unsaved changes to the map %1 are kept as a draft.").arg(nameOf(*open_map_)));
     closeMap();
   }
   const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->cells()->complete() &&
@@ -178,7 +164,7 @@ void PictureController::syncMap() {
                    "be loaded."));
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
     if (!open_map_) {
-      left_map_.onOpened(key);
+      onMapOpened(key);
       openOnceChecked(*slot);
     } else if (slot->cells() != seen_ && !saving_) {
       takeOther(*slot);
@@ -236,17 +222,15 @@ void PictureController::closeMap() {
   seen_.reset();
   open_map_.reset();
   ++opened_;
-  when_saved_ = when_reverted_ = nullptr;
+  stay();
+  when_reverted_ = nullptr;
   doubt_.reset();
   if (stop_reading_) stop_reading_->store(true);
-  keepDraft();
+  closeDrafts();
   editing_.close();
 }
 
 void PictureController::watchDrafts() {
-  drafts_.reset();
-  may_leave_ = false;
-  if (context_.edit.drafts_folder.isEmpty()) return;
   MapDrafts::Kind kind{.of = {session_->robot().address(), QString::fromStdString(map::toText(*open_map_)),
                               QStringLiteral("picture")},
                        .offer = tr("There is an unsaved draft of this map from %1: %2."),
@@ -265,14 +249,7 @@ void PictureController::watchDrafts() {
     return MapDrafts::Draft{draft->made, cellsText(taken->cells), std::move(*draft), taken->cells == 0};
   };
   kind.unsaved = [this] { return editing_.unsaved(); };
-  drafts_ = std::make_unique<MapDrafts>(context_, dock_, std::move(kind));
-  connect(drafts_.get(), &MapDrafts::changed, this, &PictureController::refresh);
-}
-
-/// Unsaved changes stay as a draft.
-void PictureController::keepDraft() {
-  if (drafts_) drafts_->keepOrTell();
-  drafts_.reset();
+  openDrafts(dock_, std::move(kind));
 }
 
 void PictureController::takeDraft() {
@@ -387,12 +364,11 @@ void PictureController::refresh() {
   dock_->setWhyNot(sentence);
   dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
   dock_->setOffer(drafts_ ? drafts_->offer() : QString());
-  if (editing_.conflicts() == 0 && std::exchange(asked_, false))
-    context_.overlay.toasts()->withdraw(decideText());
+  updateDecision(editing_.conflicts() > 0 ? decideText() : QString());
   const bool usable = sentence.isEmpty() || mapInstead() || opening();
   allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
-  if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
+  updateUnsaved();
 }
 
 QString PictureController::decideText() {
@@ -401,17 +377,10 @@ QString PictureController::decideText() {
       "keep.");
 }
 
-void PictureController::askToDecide() {
-  when_saved_ = nullptr;
-  context_.overlay.toasts()->add(Mark::Warning, decideText(), {}, kSaving);
-  asked_ = true;
-  context_.panels.open(dock_);
-}
-
 void PictureController::save() {
-  editing_.endStroke();
+  finishInput();
   if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
-  if (editing_.conflicts() > 0) return askToDecide();
+  if (editing_.conflicts() > 0) return askToDecide(dock_, decideText());
   // A robot drives by it from then on.
   session_->robot().isLocal() ? send() : askToSend();
 }
@@ -444,14 +413,14 @@ void PictureController::askToSend() {
       copy_ = folder.isEmpty() ? QString() : copyPath(folder, context_.edit.now());
       return send();
     }
-    when_saved_ = nullptr;
+    stay();
   });
   sending_question_->open();
 }
 
 void PictureController::send() {
   if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
-  if (editing_.conflicts() > 0) return askToDecide();
+  if (editing_.conflicts() > 0) return askToDecide(dock_, decideText());
   if (editing_.merging()) {
     again_ = true;  // it would be refused: the stored picture has already changed
     return;
@@ -590,11 +559,10 @@ void PictureController::noteCopied(const std::optional<Fault>& trouble) {
 }
 
 void PictureController::noteNotWritten(const QString& sentence, map::Applied applied) {
-  when_saved_ = nullptr;
+  stay();
   trouble_ = sentence;
-  context_.overlay.toasts()->add(
-      Mark::Bad, applied == map::Applied::No ? tr("The map was not saved. %1").arg(trouble_) : trouble_, {},
-      kSaving);
+  reportSaving(Mark::Bad,
+               applied == map::Applied::No ? tr("The map was not saved. %1").arg(trouble_) : trouble_);
 }
 
 /// The picture on the robot was read again after it was sent with an unknown result.
@@ -623,7 +591,7 @@ void PictureController::settleDoubt() {
 void PictureController::reportDoubt(Mark mark, const QString& sentence) {
   if (std::exchange(doubt_->reported, sentence) == sentence) return;
   trouble_ = mark == Mark::Good ? QString() : sentence.arg(mapName());
-  context_.overlay.toasts()->add(mark, sentence.arg(mapName()), {}, kSaving);
+  reportSaving(mark, sentence.arg(mapName()));
   refresh();
 }
 
@@ -656,21 +624,19 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
     Q_EMIT written();
     editing_.noteSaved(cells);
     if (copy_.isEmpty()) {
-      context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()), {}, kSaving);
+      reportSaving(Mark::Good, tr("%1 saved").arg(mapName()));
     } else {
-      context_.overlay.toasts()->add(
-          Mark::Good, tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
-          {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }}, kSaving);
+      reportSaving(Mark::Good,
+                   tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
+                   {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
     }
-    // Leaving ends the session, and its robot is emitting this signal.
-    if (const auto then = std::exchange(when_saved_, nullptr))
-      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    onAllSaved();
   } else if (outcome.error().kind == map::FailureKind::Conflict) {
     again_ = true;
     trouble_ = tr("It was changed elsewhere in the meantime and is being reloaded.");
   } else if (outcome.error().kind == map::FailureKind::Cancelled &&
              outcome.error().applied == map::Applied::No) {
-    when_saved_ = nullptr;
+    stay();
   } else if (unknown) {
     noteNotWritten(tr("It is not known whether %1 was saved. %2 You are told as soon as its picture on the "
                       "robot has been read again.")
@@ -692,13 +658,9 @@ void PictureController::noteMerged(qint64 taken, const std::string& revision) {
   settleDoubt();
   if (editing_.conflicts() == 0) conflicts_reported_ = false;
   if (editing_.conflicts() > 0) {
-    if (!std::exchange(conflicts_reported_, true) || again) askToDecide();
+    if (!std::exchange(conflicts_reported_, true) || again) askToDecide(dock_, decideText());
   } else if (again) {
-    if (editing_.unsaved()) {
-      send();
-    } else if (const auto then = std::exchange(when_saved_, nullptr)) {
-      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
-    }
+    editing_.unsaved() ? send() : onAllSaved();
   } else if (taken > 0) {
     const QString told = tr("%1 was changed elsewhere. The two versions were merged.").arg(mapName());
     // Someone painting there causes this with every stroke.
@@ -719,47 +681,19 @@ bool PictureController::escape() {
   return true;
 }
 
-QString PictureController::nameOf(const map::MapKey& map) const {
-  const map::CatalogueEntry* const entry = session_ ? session_->catalogue().find(map) : nullptr;
-  return mapCalled(entry ? QString::fromStdString(entry->name) : QString(), map);
-}
-
 QString PictureController::mapName() const {
   return session_ ? mapCalled(session_->wholeMap().name(), session_->wholeMap().key()) : QString();
 }
 
-void PictureController::beforeLeaving(std::function<void()> then) {
-  editing_.endStroke();
-  if (!unsaved() || may_leave_) return then();
-  when_left_ = std::move(then);
-  if (question_) return question_->raise();
-  question_ =
-      askToLeave(this, &context_.window, tr("The map is not saved"),
-                 tr("Changes to %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells())),
-                 drafts_ != nullptr, [this](Leaving leaving) {
-                   question_ = nullptr;
-                   answer(leaving);
-                 });
+EditorController::LeaveQuestion PictureController::leaveQuestion() const {
+  return {tr("The map is not saved"),
+          tr("Changes to %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells()))};
 }
 
-void PictureController::answer(Leaving leaving) {
-  const auto then = std::exchange(when_left_, nullptr);
-  if (!then || !open_map_) return;
-  if (leaving == Leaving::Save) {
-    when_saved_ = then;
-    save();
-  } else if (leaving == Leaving::Discard) {
-    editing_.revert();
-    if (!editing_.reckoning()) return then();
-    when_reverted_ = then;
-  } else if (leaving == Leaving::Keep && drafts_) {
-    if (const auto trouble = drafts_->keep()) {
-      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
-    } else {
-      may_leave_ = true;
-      then();
-    }
-  }
+void PictureController::discardAll(std::function<void()> then) {
+  editing_.revert();
+  if (!editing_.reckoning()) return then();
+  when_reverted_ = std::move(then);
 }
 
 }  // namespace mapwright::window

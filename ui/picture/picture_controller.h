@@ -1,5 +1,4 @@
-// Editing the picture of the map on screen: the tool, the dock, saving, changes by others, and the questions
-// before the map is left.
+// Editing the picture of the map on screen: the tool, the dock, saving, and changes by others.
 #pragma once
 
 #include <atomic>
@@ -13,22 +12,18 @@
 #include <QPointer>
 
 #include "robot/picture_store.h"
-#include "ui/kit/controller.h"
 #include "ui/kit/status_text.h"
 #include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_editing.h"
-#include "ui/shell/left_map.h"
-#include "ui/shell/unsaved_question.h"
-#include "ui/shell/window_context.h"
+#include "ui/shell/editor_controller.h"
 
 namespace mapwright::window {
 
 class CopiesDialog;
 class PictureDock;
-class MapDrafts;
 class PictureTool;
 
-class PictureController : public Controller {
+class PictureController : public EditorController {
   Q_OBJECT
  public:
   explicit PictureController(WindowContext& context, QObject* parent = nullptr);
@@ -38,14 +33,11 @@ class PictureController : public Controller {
   bool unsaved() const override { return editing_.unsaved(); }
   void save() override;
   bool escape() override;
-  void beforeLeaving(std::function<void()> then) override;
 
   PictureEditing* editing() { return &editing_; }
   PictureTool* tool() const { return tool_; }
   PictureDock* dock() const { return dock_; }
-  MapDrafts* drafts() const { return drafts_.get(); }  // null: there are none
-  QMessageBox* question() const { return question_; }  // null: nothing is asked
-  /// The same, before a robot's map is overwritten.
+  /// Before a robot's map is overwritten; null: nothing is asked.
   QMessageBox* sendingQuestion() const { return sending_question_; }
   CopiesDialog* copiesDialog() const;  // null: none is open
   bool saving() const { return saving_; }
@@ -62,12 +54,15 @@ class PictureController : public Controller {
   void fileWanted(const QString& path);
 
  private:
+  LeaveQuestion leaveQuestion() const override;
+  void finishInput() override { editing_.endStroke(); }
+  void discardAll(std::function<void()> then) override;
+  void syncMap() override;
+  void closeMap() override;
   void addActions();
-  void syncMap();
   void noteForgotten();
   void openOnceChecked(const session::MapSlot& slot);
   void openMap(const session::MapSlot& slot);
-  void closeMap();
   void takeOther(const session::MapSlot& slot);
   void showCells();
   void refresh();
@@ -76,7 +71,6 @@ class PictureController : public Controller {
                    const robot::Outcome<robot::PictureReceipt>& outcome);
   void noteMerged(qint64 taken, const std::string& revision);
   static QString decideText();
-  void askToDecide();
   void askToSend();
   void send();
   void write();
@@ -92,17 +86,11 @@ class PictureController : public Controller {
   void turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when);
   void watchDrafts();
   void takeDraft();
-  void keepDraft();
-  void answer(Leaving leaving);
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;
   QString mapName() const;
-  QString nameOf(const map::MapKey& map) const;
 
-  WindowContext& context_;
-  LeftMap left_map_;
-  QPointer<session::Session> session_;
   PictureEditing editing_;
   PictureTool* tool_;
   PictureDock* dock_;
@@ -123,18 +111,15 @@ class PictureController : public Controller {
   std::set<std::string> past_revisions_;               // replaced by saving here; may still be on their way
   bool shown_ = false;                                 // the edited cells are drawn
   bool saving_ = false, again_ = false;                // again: saves once more after merging theirs
-  bool was_unsaved_ = false;
-  bool conflicts_reported_ = false;  // only once, however often others paint there
-  std::unique_ptr<MapDrafts> drafts_;
-  bool may_leave_ = false;  // keeps the draft and leaves
-  quint64 opened_ = 0;      // counts maps: results about earlier ones are ignored
-  QString trouble_;         // of saving
-  QString copy_;            // of the robot's picture; empty: none
-  QPointer<QMessageBox> question_, sending_question_;
+  bool conflicts_reported_ = false;                    // only once, however often others paint there
+  quint64 opened_ = 0;                                 // counts maps: results about earlier ones are ignored
+  QString trouble_;                                    // of saving
+  QString copy_;                                       // of the robot's picture; empty: none
+  QPointer<QMessageBox> sending_question_;
   QPointer<CopiesDialog> copies_;
   std::function<Named()> named_;
   std::shared_ptr<std::atomic<bool>> stop_reading_;  // the copy that is to be put back
-  std::function<void()> when_left_, when_saved_, when_reverted_;
+  std::function<void()> when_reverted_;
   /// Whether all cells of a map can be written is checked before painting starts.
   struct CellCheck {
     std::shared_ptr<const grids::GridPyramid> cells;
@@ -143,8 +128,7 @@ class PictureController : public Controller {
     std::optional<std::uint8_t> between;  // a cell that cannot be
   };
   CellCheck cell_check_;
-  work::Tasks share_;   // last
-  bool asked_ = false;  // to decide, and it is not answered yet
+  work::Tasks share_;  // last
 };
 
 }  // namespace mapwright::window

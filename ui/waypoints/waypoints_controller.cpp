@@ -32,16 +32,8 @@
 
 namespace mapwright::window {
 
-namespace {
-
-const QString kSaving = QStringLiteral("waypoints");
-
-}  // namespace
-
 WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
-    : Controller(parent),
-      context_(context),
-      left_map_(context),
+    : EditorController(context, parent),
       placing_(new WaypointPlacing(context, &editing_, this)),
       on_map_(new WaypointsOnMap(&editing_, &context.scene, &context.hits, this)),
       dock_(new WaypointsDock(&editing_, &context.window)),
@@ -79,7 +71,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(dock_, &WaypointsDock::copyWanted, transfer_, &WaypointTransfer::copy);
   connect(dock_, &WaypointsDock::pasteWanted, transfer_, &WaypointTransfer::paste);
   // No longer needed.
-  connect(review_, &WaypointReview::givenUp, this, [this] { when_saved_ = nullptr; });
+  connect(review_, &WaypointReview::givenUp, this, [this] { stay(); });
   connect(dock_, &WaypointsDock::saveWanted, this, &WaypointsController::save);
   connect(dock_, &WaypointsDock::cancelWanted, this, [this] {
     if (list_) list_->cancelSaving();
@@ -168,20 +160,8 @@ void WaypointsController::addToMenu(QMenu& menu, const Eigen::Vector2d& world_m)
 }
 
 void WaypointsController::setSession(session::Session* session) {
+  EditorController::setSession(session);
   if (session_) {
-    session_->wholeMap().disconnect(this);
-    session_->catalogue().disconnect(this);
-    session_->robot().disconnect(this);
-    session_->disconnect(this);
-  }
-  closeList();
-  left_map_.clear();
-  session_ = session;
-  if (session_) {
-    connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointsController::syncMap);
-    // The robot's current map, and the possible actions on its waypoints.
-    connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
-    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
     connect(session_, &session::Session::connectionChanged, this, &WaypointsController::noteLink);
     noteLink();
   }
@@ -222,11 +202,11 @@ void WaypointsController::syncMap() {
   const bool store_came = !list_ && key && session_->robot().waypointStore();
   if (key != open_map_ || store_went || store_came) {
     const auto before = open_map_;
-    const bool robot_left = list_ && list_->unsaved() && !may_leave_ && before && key != before;
-    closeList();
+    const bool robot_left = list_ && list_->unsaved() && !leavingAllowed() && before && key != before;
+    closeMap();
     if (robot_left)
-      left_map_.onLeft(*before, tr("The unsaved waypoints of %1 are kept as a draft.").arg(nameOf(*before)));
-    left_map_.onOpened(key);
+      reportLeftMap(*before, tr("The unsaved waypoints of %1 are kept as a draft.").arg(nameOf(*before)));
+    onMapOpened(key);
     open_map_ = key;
     on_map_->setMap(key);
     transfer_->setMap(key);
@@ -245,11 +225,8 @@ void WaypointsController::openList(const map::MapKey& key) {
     context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
   });
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
-    if (list_->submission().done() > 0)
-      context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()), {}, kSaving);
-    // Leaving closes the list, which is emitting this signal.
-    if (const auto then = std::exchange(when_saved_, nullptr))
-      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    if (list_->submission().done() > 0) reportSaving(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
+    onAllSaved();
   });
   connect(&list_->document(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
   joinUndo(context_.undo, list_->document().undoStack());
@@ -283,10 +260,10 @@ void WaypointsController::addAt(const Eigen::Vector2d& world_m) {
   if (!key.empty()) askName(key, gesture);
 }
 
-void WaypointsController::closeList() {
+void WaypointsController::closeMap() {
   name_editor_->loseObject();
   named_.clear();
-  may_leave_ = false;
+  onEdited();
   open_map_.reset();
   review_->forget();
   on_map_->setMap(std::nullopt);
@@ -321,9 +298,8 @@ void WaypointsController::noteSaving() {
       std::exchange(reported_failure_, failure) != failure) {
     // The review shows it, and can continue.
     if (!review_->isVisible()) {
-      when_saved_ = nullptr;
-      context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)), {},
-                                     kSaving);
+      stay();
+      reportSaving(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
     }
   }
   if (list_->saving()) reported_failure_.reset();
@@ -331,7 +307,7 @@ void WaypointsController::noteSaving() {
 }
 
 void WaypointsController::takeChange() {
-  may_leave_ = false;
+  onEdited();
   followNamed();
   refresh();
 }
@@ -359,13 +335,8 @@ void WaypointsController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
-  // It has been answered.
-  if (!asked_.isEmpty() && asked_ != decideText())
-    context_.overlay.toasts()->withdraw(std::exchange(asked_, QString()));
-  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
-  was_unsaved_ = unsaved();
-  could_save_ = maySave();
-  if (changed) Q_EMIT unsavedChanged();
+  updateDecision(decideText());
+  updateUnsaved();
 }
 
 void WaypointsController::refreshNotice() {
@@ -421,11 +392,8 @@ void WaypointsController::takeOffer() {
 }
 
 void WaypointsController::askToDecide() {
-  when_saved_ = nullptr;
-  context_.panels.open(dock_);
+  EditorController::askToDecide(dock_, decideText());
   dock_->goToConflict();
-  asked_ = decideText();
-  context_.overlay.toasts()->add(Mark::Warning, asked_, {}, kSaving);
 }
 
 QString WaypointsController::decideText() const {
@@ -436,10 +404,7 @@ QString WaypointsController::decideText() const {
 }
 
 void WaypointsController::save() {
-  name_editor_->finish();
-  // Text still being typed counts.
-  if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
-    typing->clearFocus();
+  finishInput();
   if (!list_) return;
   if (maySave() && !list_->document().conflicts().empty()) return askToDecide();
   if (WaypointReview::isWorthIt(*list_)) return review_->review(list_.get(), mapName());
@@ -465,69 +430,42 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
                     [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });
 }
 
-QString WaypointsController::nameOf(const map::MapKey& map) const {
-  const map::CatalogueEntry* const entry = session_ ? session_->catalogue().find(map) : nullptr;
-  return mapCalled(entry ? QString::fromStdString(entry->name) : QString(), map);
-}
-
 QString WaypointsController::mapName() const {
   return session_ ? mapCalled(session_->wholeMap().name(), session_->wholeMap().key()) : QString();
 }
 
 void WaypointsController::revertAll() {
   if (!unsaved()) return;
-  if (question_) return question_->raise();
-  question_ = new QMessageBox(QMessageBox::Warning, tr("Discard changes"),
-                              tr("Discard %1 to the waypoints of %2? This cannot be undone.")
-                                  .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
-                              QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
-  question_->setTextFormat(Qt::PlainText);
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  question_->setDefaultButton(QMessageBox::Cancel);
-  connect(question_, &QMessageBox::finished, this, [this](int button) {
-    question_ = nullptr;
+  if (discard_question_) return discard_question_->raise();
+  discard_question_ =
+      new QMessageBox(QMessageBox::Warning, tr("Discard changes"),
+                      tr("Discard %1 to the waypoints of %2? This cannot be undone.")
+                          .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
+                      QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
+  discard_question_->setTextFormat(Qt::PlainText);
+  discard_question_->setAttribute(Qt::WA_DeleteOnClose);
+  discard_question_->setDefaultButton(QMessageBox::Cancel);
+  connect(discard_question_, &QMessageBox::finished, this, [this](int button) {
+    discard_question_ = nullptr;
     if (button == QMessageBox::Discard && list_) list_->discard();
   });
-  question_->open();
+  discard_question_->open();
 }
 
-void WaypointsController::beforeLeaving(std::function<void()> then) {
+EditorController::LeaveQuestion WaypointsController::leaveQuestion() const {
+  return {tr("Waypoints are not saved"),
+          tr("Waypoints of %1: %2 not saved.")
+              .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size())))};
+}
+
+void WaypointsController::finishInput() {
   name_editor_->finish();
-  if (!unsaved() || may_leave_) return then();
-  if (question_) {
-    // Only the newest question matters.
-    question_->disconnect(this);
-    question_->close();
-  }
-  question_ =
-      askToLeave(this, &context_.window, tr("Waypoints are not saved"),
-                 tr("Waypoints of %1: %2 not saved.")
-                     .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size()))),
-                 !context_.edit.drafts_folder.isEmpty(), [this, then = std::move(then)](Leaving leaving) {
-                   question_ = nullptr;
-                   answer(leaving, then);
-                 });
+  finishTypingIn(dock_);
 }
 
-void WaypointsController::answer(Leaving leaving, const std::function<void()>& then) {
-  if (!list_) return;
-  switch (leaving) {
-    case Leaving::Save:
-      when_saved_ = then;
-      return save();
-    case Leaving::Discard:
-      list_->discard();
-      return then();
-    case Leaving::Keep:
-      if (const auto trouble = list_->keepDraft()) {
-        context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
-        return;
-      }
-      may_leave_ = true;
-      return then();
-    case Leaving::Stay:
-      return;
-  }
+void WaypointsController::discardAll(std::function<void()> then) {
+  list_->discard();
+  then();
 }
 
 }  // namespace mapwright::window
