@@ -19,6 +19,7 @@ namespace mapwright::app {
 namespace {
 
 int why_not_printed = 0;  // the first errno of a failed write to standard output
+bool left_to_report = false;
 
 /// A pipe or a device: data is written to it, nothing is replaced.
 bool takesBytes(const QString& path) {
@@ -109,6 +110,7 @@ std::optional<QString> whyNotCreated(const QString& path, bool force,
 }
 
 bool printOut(std::string_view text) {
+  if (left_to_report) return true;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written && why_not_printed == 0) why_not_printed = errno;
   return std::ferror(stdout) == 0;
@@ -123,6 +125,8 @@ void printJson(const QJsonObject& json) {
 void printJson(const QJsonArray& json) {
   printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
 }
+
+void leaveStandardOutputToReport() { left_to_report = true; }
 
 int concludeStandardOutput(int exit_code) {
   const bool flushed = std::fflush(stdout) == 0;

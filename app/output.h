@@ -45,6 +45,8 @@ void printJson(const QJsonObject& json);
 void printJson(const QJsonArray& json);
 /// Columns are as wide as their widest cell; put names into the last one, as they may have any width.
 void printTable(const std::vector<QStringList>& rows);
+/// From now on nothing of the above is printed: --report writes there.
+void leaveStandardOutputToReport();
 /// Flushes standard output; if that fails, prints a sentence to standard error and returns another exit code.
 int concludeStandardOutput(int exit_code);
 

@@ -406,6 +406,7 @@ int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<
   const QString robot = words::text(args_.robot);
   if (const auto why = reportOverSource(report_path_, sourceFilesOf(robot, {}, {})))
     return refuse(kUsage, *why);
+  if (isStandardOutput(report_path_)) leaveStandardOutputToReport();
   Deadline deadline(
       later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
       [connected = connected_, path = report_path_, timeout_s = time_.timeout_s, robot = oneLine(robot)] {
