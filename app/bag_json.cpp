@@ -15,7 +15,7 @@ namespace {
 using incident::utcText;
 using words::text;
 
-/// Stable (docs/command-line.md).
+/// Stable (docs/json.md).
 constexpr std::pair<replay::EventKind, const char*> kEventWords[] = {
     {replay::EventKind::AlertBegan, "alert_begin"},
     {replay::EventKind::AlertEnded, "alert_end"},

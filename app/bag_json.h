@@ -1,4 +1,4 @@
-// Bags as JSON (docs/command-line.md) and as rows for people. Pure.
+// Bags as JSON (docs/json.md) and as rows for people. Pure.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ namespace mapwright::app {
 
 /// {"name","kind","size_bytes","end"}: size and end are null if the robot does not report them.
 QJsonObject bagJson(const robot::BagEntry& entry);
-/// General information about a robot or a file (docs/command-line.md, "mapwright bags").
+/// General information about a robot or a file (docs/json.md).
 QJsonObject infoJson(const std::string& name, const robot::BagInfo& info);
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info);
 /// The topics of a file with their messages; empty if it has none.
 std::vector<QStringList> topicRows(const robot::BagInfo& info);
-/// The state at a given time (docs/command-line.md, "mapwright bags").
+/// The state at a given time (docs/json.md).
 QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::BagInfo& bag);
 std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, const robot::BagInfo& bag);
 /// [{"at","kind"}] with "code", "text" or "metres" where it has them.

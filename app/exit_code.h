@@ -1,4 +1,4 @@
-// Exit codes of every subcommand (docs/command-line.md).
+// Exit codes of every subcommand (docs/troubleshooting.md).
 #pragma once
 
 #include "map/failure.h"

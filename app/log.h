@@ -1,4 +1,4 @@
-// The log that people switch on (docs/command-line.md, "The log").
+// The log that people switch on (docs/troubleshooting.md, "The log").
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ QJsonValue valueOf(const std::optional<std::string>& json) {
                                                     : QJsonValue(QString::fromStdString(*json));
 }
 
-/// For scripts, never changes (docs/command-line.md).
+/// For scripts, never changes (docs/json.md).
 const char* stableWordOf(ChangeKind kind) {
   return kind == ChangeKind::Add ? "add" : kind == ChangeKind::Remove ? "remove" : "change";
 }

@@ -19,7 +19,7 @@ QJsonObject submapsJson(const session::SubmapCounts& counts);
 QJsonObject trafficJson(const session::SubmapCounts& counts);
 /// {"size", "resolution", "origin"}
 QJsonObject gridJson(const map::GridReference& grid);
-/// A row of `maps list --json` (docs/command-line.md).
+/// A row of `maps list --json` (docs/json.md).
 QJsonObject entryJson(const map::CatalogueEntry& row);
 /// {"id", "name", "size", "resolution", "origin"}
 QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::GridReference& grid);

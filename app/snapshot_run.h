@@ -58,7 +58,7 @@ class SnapshotRun : public QObject {
   ~SnapshotRun() override;
 
   void start();
-  QJsonObject report() const;               // docs/command-line.md, "mapwright snapshot"
+  QJsonObject report() const;               // docs/json.md
   QString error() const { return error_; }  // a sentence if nothing could be drawn
   QStringList warnings() const;
   /// A sentence if the picture shows something else than requested; otherwise empty.

@@ -85,7 +85,7 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
                            std::optional<double> radius_m);
 
 /// [{"kind","sentence"}], and "distance_m" and "radius_m" of near_wall; kinds are in_wall, outside_map,
-/// near_wall, on_unknown, name_twice, zero_turn (docs/command-line.md).
+/// near_wall, on_unknown, name_twice, zero_turn (docs/json.md).
 QJsonArray warningsJson(const placing::Warnings& warnings);
 /// One line with all warnings, most severe first.
 QString warningsLine(const placing::Warnings& warnings);

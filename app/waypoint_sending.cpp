@@ -219,7 +219,7 @@ QString wordOf(StepState state) {
                                        : Text::tr("not sent");
 }
 
-/// For scripts, never changes (docs/command-line.md).
+/// For scripts, never changes (docs/json.md).
 const char* stableWordOf(StepState state) {
   return state == StepState::Applied   ? "applied"
          : state == StepState::Failed  ? "failed"

@@ -1,4 +1,4 @@
-// Waypoints as JSON and GeoJSON, in the shape of `waypoints list --json` (docs/command-line.md). Pure
+// Waypoints as JSON and GeoJSON, in the shape of `waypoints list --json` (docs/json.md). Pure
 // functions.
 #pragma once
 

@@ -26,7 +26,7 @@ using WaypointConflicts = std::map<edit::Key, edit::Conflict>;
 using edit::itemsOf;
 
 enum class StepKind { Create, Move, Rename, Retag, Retype, Delete };
-/// "create", "move", …: stable (docs/command-line.md).
+/// "create", "move", …: stable (docs/json.md).
 QString wordOf(StepKind kind);
 
 /// One change to one waypoint. `before` and `after` are those of the whole edit.

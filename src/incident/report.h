@@ -75,7 +75,7 @@ QString nameOf(const OnTheWay& thing);
 
 /// False: `out` has not taken everything.
 bool writeReport(QIODevice& out, const Report& report);
-/// The same as values (docs/command-line.md, "mapwright bags").
+/// The same as values (docs/json.md).
 QJsonObject reportJson(const Report& report);
 
 }  // namespace mapwright::incident

@@ -1,4 +1,4 @@
-// What this room writes into the log (docs/command-line.md, "The log").
+// What this room writes into the log (docs/troubleshooting.md, "The log").
 #pragma once
 
 #include <QLoggingCategory>

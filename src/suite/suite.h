@@ -1,4 +1,4 @@
-// A list of views of maps (docs/command-line.md, "mapwright suite"). Values.
+// A list of views of maps (docs/maps-in-ci.md, "suite.yaml"). Values.
 #pragma once
 
 #include <string>

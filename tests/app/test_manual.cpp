@@ -1,6 +1,11 @@
 // What the manual says of commands, JSON and menus is so, and what --help says agrees with itself.
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QMenu>
 #include <QMenuBar>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -133,6 +138,10 @@ class ManualTest : public QObject {
   }
 
  private Q_SLOTS:
+  void cleanupTestCase() {
+    robot_.terminate();
+    if (robot_.state() != QProcess::NotRunning) robot_.waitForFinished();
+  }
   void initTestCase() {
     look({});
     QVERIFY(helps_.size() > 60);
@@ -142,9 +151,12 @@ class ManualTest : public QObject {
   void whatPagesCallIsThere() {
     QStringList unknown;
     int lines = 0;
-    for (const char* page : {"README.md", "CONTRIBUTING.md", "docs/command-line.md", "docs/maps-in-ci.md",
-                             "docs/window.md", "docs/same-bytes.md"}) {
-      for (const QString& line : commandLines(pageOf(page))) {
+    for (const char* page : {"README.md", "CONTRIBUTING.md", "docs/command-line.md", "docs/files.md",
+                             "docs/json.md", "docs/maps-in-ci.md", "docs/same-bytes.md", "docs/simulator.md",
+                             "docs/troubleshooting.md", "docs/window.md"}) {
+      const QString text = pageOf(page);
+      QVERIFY2(!text.isEmpty(), page);
+      for (const QString& line : commandLines(text) + matchesOf("`mapwright ([^`\n]+)`", text)) {
         unknown << unknownIn(line);
         ++lines;
       }
@@ -228,73 +240,102 @@ class ManualTest : public QObject {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
   }
 
-  void jsonHasTheMembersThatTheManualNames_data() {
+  /// docs/json.md has a table for each command: every member that is printed is in it, with its type, and
+  /// what is not optional is printed.
+  void jsonIsAsTheManualSays_data() {
+    QTest::addColumn<QString>("heading");
     QTest::addColumn<QString>("line");
-    QTest::addColumn<QString>("before");  // in the manual, right before its members
-    const auto row = [](const char* line, const char* before) {
-      QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(before);
+    const auto row = [](const char* heading, const char* line) {
+      QTest::newRow(line) << QString::fromLatin1(heading) << QString::fromLatin1(line);
     };
-    row("maps set-pose --at 1,1,0 --robot demo: --json", "distance from the one that was set; `--json`: ");
-    row("waypoints list --robot map.yaml --json", "`--json` of `list`: ");
-    row("waypoints plan places.csv --robot map.yaml --json", "In `--json` that is, as of `plan`,\n  ");
-    row("overlays plan walls.geojson --base walls.geojson --robot map.yaml --json",
-        "`--json` of `set` and `plan`: ");
-    row("overlays validate flawed.geojson --json",
-        "line and the column are named). What lies on the map is only "
-        "checked with a robot or a map file (`--robot hall.yaml`).\n  ");
-    row("overlays history list --json", "  `list --json`: ");
-    row("bags list --robot demo: --json", "are refused (2).\n\n- `list --json`: ");
-    row("compare one.png one.png --json", "2: a file cannot be read. `--json`:\n");
-    row("topics list --robot demo: --json", "their types unknown. `--json`: ");
-    row("maps list --robot demo: --json", "`list --json`: each map's ");
+    row("maps list", "maps list --robot AXBOT --json");
+    row("maps list", "maps list --robot map.yaml --json");
+    row("maps current", "maps current --robot AXBOT --json");
+    row("maps show", "maps show 1 --robot AXBOT --json");
+    row("maps show", "maps show --robot AXBOT --json");
+    row("maps diff", "maps diff map.yaml map.yaml --json");
+    row("maps set-pose", "maps set-pose --at 1,1,0 --robot AXBOT --json");
+    row("maps locate", "maps locate --robot AXBOT --json");
+    row("maps download", "maps download 1 -o folder --force --robot AXBOT --json");
+    row("maps upload", "maps upload folder --as-new --robot AXBOT --json");
+    row("snapshot", "snapshot -o submaps.png --robot AXBOT --json");
+    row("snapshot", "snapshot --mode whole -o whole.png --robot AXBOT --json");
+    row("snapshot", "snapshot --region 0,0,5,5 -o region.png --robot REP130 --json");
+    row("compare", "compare one.png one.png --json");
+    row("compare", "compare one.png map.pgm --json");
+    row("waypoints list", "waypoints list --warnings --robot map.yaml --json");
+    row("waypoints get", "waypoints get Dock --robot map.yaml --json");
+    row("waypoints plan", "waypoints plan places.csv --robot map.yaml --json");
+    row("waypoints plan", "waypoints move Dock --at 2,2,0 --dry-run --robot map.yaml --json");
+    row("waypoints import", "waypoints import places.csv --robot map.yaml --json");
+    row("overlays plan", "overlays plan walls.geojson --base flawed.geojson --robot map.yaml --json");
+    row("overlays set", "overlays set walls.geojson --base walls.geojson --robot map.yaml --json");
+    row("overlays validate", "overlays validate flawed.geojson --json");
+    row("overlays history list", "overlays history list --json");
+    row("overlays history show", "overlays history show 1 --json");
+    row("bags list", "bags list --robot AXBOT --json");
+    row("record", "record --robot AXBOT --duration 1 -o run.mcap --force --json");
+    row("bags info", "bags info run.mcap --json");
+    row("bags state", "bags state run.mcap --at -0 --json");
+    row("bags events", "bags events run.mcap --json");
+    row("bags report", "bags report run.mcap --at -0 --against run.mcap@+0 -o report.html --json");
+    row("bags export", "bags export run.mcap -o part.mcap --force --json");
+    row("bags export", "bags export run.mcap -o part.jsonl --force --json");
+    row("bags track", "bags track run.mcap -o track.csv --force --json");
+    row("bags split", "bags split run.mcap -o part-%d.mcap --force --json");
+    row("bags merge", "bags merge run.mcap -o merged.mcap --force --json");
+    row("bags repair", "bags repair run.mcap -o repaired.mcap --force --json");
+    row("bags film", "bags film run.mcap --from +0 --to +0 -o film-%d.png --json");
+    row("topics list", "topics list --robot KABAM --json");
+    row("topics hz", "topics hz /odom /nothing --seconds 1 --robot KABAM --json");
+    row("probe", "probe ROSHOST --json");
+    row("projections list", "projections list --robot REP130 --json");
+    row("clouds export", "clouds export --all -o cloud.pcd --force --robot REP130 --json");
+    row("report", "maps show 1 --robot AXBOT --report -");
+    row("report", "maps list --robot AXBOT --json --report -");
+    row("report", "maps diff map.yaml map.yaml --report -");
+    row("report", "waypoints plan places.csv --robot map.yaml --report -");
+    row("report", "maps show nothing --robot map.yaml --report -");
   }
-  void jsonHasTheMembersThatTheManualNames() {
+  void jsonIsAsTheManualSays() {
+    QFETCH(QString, heading);
     QFETCH(QString, line);
-    QFETCH(QString, before);
-    const QString manual = pageOf("docs/command-line.md");
-    const qsizetype at = manual.indexOf(before);
-    QVERIFY(at >= 0);
-    // Up to the next sentence; the members of members are left out.
-    QString shape = manual.mid(at + before.size(), 700);
-    const bool spans = shape.startsWith(QLatin1String("`{")) || shape.startsWith(QLatin1String("`["));
-    QStringList members;
-    if (spans) {
-      shape = shape.mid(1).section(QLatin1Char('`'), 0, 0);
-      int depth = shape.startsWith(QLatin1Char('[')) ? -1 : 0, list = 0;
-      for (qsizetype i = shape.startsWith(QLatin1Char('[')) ? 1 : 0; i < shape.size(); ++i) {
-        const QChar c = shape[i];
-        if (c == QLatin1Char('{')) ++depth;
-        if (c == QLatin1Char('}')) --depth;
-        if (c == QLatin1Char('[')) ++list;
-        if (c == QLatin1Char(']')) --list;
-        const int top = shape.startsWith(QLatin1Char('[')) ? 0 : 1;
-        if (c != QLatin1Char('"') || depth != top || list > 0) continue;
-        const qsizetype end = shape.indexOf(QLatin1Char('"'), i + 1);
-        const QString word = shape.mid(i + 1, end - i - 1);
-        const QString behind = shape.mid(end + 1, 1);
-        const bool is_value = i > 0 && shape[i - 1] == QLatin1Char(':');
-        const bool optional = shape.mid(end + 1).section(QLatin1Char('"'), 0, 0).contains(QLatin1Char('?'));
-        if (!is_value && !optional && !behind.isEmpty()) members << word;
-        i = end;
-      }
-    } else {
-      shape.remove(QRegularExpression(QStringLiteral("(?<=` )\\{[^{}]*\\}")));
-      members = matchesOf("`([a-z_]+)`",
-                          shape.section(QLatin1Char(';'), 0, 0).section(QStringLiteral(".\n"), 0, 0));
-      if (line.startsWith(QLatin1String("maps list"))) members = QStringList{QStringLiteral("grid")};
-    }
-    QVERIFY2(!members.isEmpty(), qPrintable(shape));
-    makeSources();
+    const Table table = tableOf(heading);
+    QVERIFY2(!table.isEmpty(), qPrintable(heading));
+    QVERIFY(makeSources());
+    for (auto it = addresses_.begin(); it != addresses_.end(); ++it) line.replace(it.key(), it.value());
     const Ended ended = program_.run(line.split(QLatin1Char(' ')));
     const QJsonDocument document = QJsonDocument::fromJson(ended.out.toUtf8());
-    QVERIFY2(!document.isNull(), qPrintable(ended.err));
-    const QList<QJsonValue> rows =
-        document.isArray() ? valuesOf(document.array()) : QList<QJsonValue>{document.object()};
-    QVERIFY2(!rows.isEmpty(), qPrintable(ended.out + ended.err));
-    for (const QJsonValue& row : rows) {
-      for (const QString& member : members)
-        QVERIFY2(row.toObject().contains(member), qPrintable(member + QLatin1Char('\n') + ended.out));
+    QVERIFY2(!document.isNull(), qPrintable(ended.out + ended.err));
+    const QJsonArray rows = document.isArray() ? document.array() : QJsonArray{document.object()};
+    if (!line.startsWith(QLatin1String("bags events")))
+      QVERIFY2(!rows.isEmpty(), qPrintable(ended.out + ended.err));
+    QStringList wrong;
+    for (const QJsonValue& row : rows) compare(table, row.toObject(), {}, wrong);
+    wrong.removeDuplicates();
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n')) + QLatin1Char('\n') + ended.out));
+  }
+
+  /// docs/troubleshooting.md says what sentences mean: they are those that the program says.
+  void sentencesAreThoseOfTheProgram() {
+    const QString said = allTexts();
+    QStringList unknown;
+    int sentences = 0;
+    QStringList cells = matchesOf("^\\| ([^|]+) \\|", pageOf("docs/troubleshooting.md"));
+    for (const QString& cell : cells) {
+      // Tables of other things begin otherwise; a symptom stands in italics.
+      if (cell.startsWith(QLatin1Char('`')) || cell.startsWith(QLatin1Char('*')) || cell.size() < 12)
+        continue;
+      static const QRegularExpression filled_in(
+          QStringLiteral("\\b(?:[A-Z_]{2,}|[ABN])\\b|\\d+|…|[()\";:.]"));
+      for (const QString& part : cell.split(filled_in)) {
+        const QString words = part.trimmed();
+        if (words.size() >= 10 && !said.contains(words)) unknown << words;
+      }
+      ++sentences;
     }
+    QVERIFY(sentences >= 30);
+    QVERIFY2(unknown.isEmpty(), qPrintable(unknown.join(QLatin1Char('\n'))));
   }
 
   void menusAreWhereTheManualSays() {
@@ -303,8 +344,8 @@ class ManualTest : public QObject {
     listMenus(*shown.window().menuBar(), {}, paths);
     QVERIFY(paths.size() > 50);
     QStringList lacking;
-    for (const char* page :
-         {"docs/window.md", "docs/command-line.md", "docs/maps-in-ci.md", "CONTRIBUTING.md"}) {
+    for (const char* page : {"docs/window.md", "docs/command-line.md", "docs/files.md", "docs/maps-in-ci.md",
+                             "docs/troubleshooting.md", "CONTRIBUTING.md"}) {
       for (QString path : matchesOf("\\*((?:File|Edit|View|Map|Robot|Help) > [^*]+)\\*",
                                     pageOf(page).replace(QLatin1Char('\n'), QLatin1Char(' ')))) {
         path.remove(QStringLiteral("…"));
@@ -317,12 +358,95 @@ class ManualTest : public QObject {
   }
 
  private:
-  static QList<QJsonValue> valuesOf(const QJsonArray& array) {
-    QList<QJsonValue> values;
-    for (const QJsonValue& value : array) values << value;
-    return values;
+  using Table = QMap<QString, QString>;  // types, by the path of the member: "grid.size", "topics[].hz"
+
+  QProcess robot_;
+  QMap<QString, QString> addresses_;  // of the simulated robots, by the word that stands for each
+
+  /// "report" is the one of commands that print something else.
+  static Table tableOf(const QString& command) {
+    static const QRegularExpression row(QStringLiteral("^\\| `([^`]+)` \\| ([^|]+) \\|"));
+    Table table;
+    bool within = false;
+    for (const QString& line : pageOf("docs/json.md").split(QLatin1Char('\n'))) {
+      if (line.startsWith(QLatin1Char('#')))
+        within = command == QLatin1String("report")
+                     ? line == QLatin1String("## Reports of other commands")
+                     : line.contains(QLatin1Char('`') + command + QLatin1Char('`'));
+      if (const auto match = row.match(line); within && match.hasMatch())
+        table[match.captured(1)] = match.captured(2).trimmed();
+    }
+    return table;
   }
-  void makeSources() const {
+  static QString typeOf(const QJsonValue& value) {
+    if (value.isNull()) return QStringLiteral("null");
+    if (value.isBool()) return QStringLiteral("boolean");
+    if (value.isString()) return QStringLiteral("text");
+    if (value.isArray()) return QStringLiteral("list");
+    if (value.isObject()) return QStringLiteral("object");
+    const double number = value.toDouble();
+    return number == std::floor(number) ? QStringLiteral("integer") : QStringLiteral("number");
+  }
+  static bool fits(const QString& type, const QString& wanted) {
+    if (type == QLatin1String("null") && wanted.contains(QLatin1String(" or null"))) return true;
+    const QString base = wanted.section(QLatin1Char(','), 0, 0).section(QLatin1Char(' '), 0, 0);
+    return base == QLatin1String("any") || base == type ||
+           (base == QLatin1String("number") && type == QLatin1String("integer"));
+  }
+  static void compare(const Table& table, const QJsonObject& object, const QString& above,
+                      QStringList& wrong) {
+    for (auto it = object.begin(); it != object.end(); ++it) {
+      const QString path = above + it.key(), wanted = table.value(path);
+      if (wanted.isEmpty()) {
+        wrong << path + QStringLiteral(" is not in the table");
+        continue;
+      }
+      if (!fits(typeOf(*it), wanted))
+        wrong << QStringLiteral("%1 is %2, not %3").arg(path, typeOf(*it), wanted);
+      if (wanted.startsWith(QLatin1String("any"))) continue;
+      if (it->isObject()) compare(table, it->toObject(), path + QLatin1Char('.'), wrong);
+      for (const QJsonValue& entry : it->toArray()) {
+        if (entry.isObject()) compare(table, entry.toObject(), path + QStringLiteral("[]."), wrong);
+      }
+    }
+    for (auto it = table.begin(); it != table.end(); ++it) {
+      const QString member = it.key().mid(above.size());
+      const bool here = it.key().startsWith(above) && !member.contains(QLatin1Char('.'));
+      if (here && !it->contains(QLatin1String("optional")) && !object.contains(member))
+        wrong << it.key() + QStringLiteral(" is missing");
+    }
+  }
+  /// All texts in the sources, those over several lines as one, without quotation marks.
+  static QString allTexts() {
+    QString texts = pageOf("packaging/setup.sh");
+    for (const char* top : {"app", "src", "ui"}) {
+      QDirIterator it(QStringLiteral(MAPWRIGHT_SOURCES "/") + QLatin1String(top),
+                      {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                      QDirIterator::Subdirectories);
+      while (it.hasNext()) {
+        QFile file(it.next());
+        if (file.open(QIODevice::ReadOnly)) texts += QString::fromUtf8(file.readAll());
+      }
+    }
+    static const QRegularExpression joint(QStringLiteral("\"\\s*\\n\\s*\""));
+    return texts.remove(joint);
+  }
+  bool startRobots() {
+    if (!addresses_.isEmpty()) return true;
+    robot_.setProcessEnvironment(program_.environment());
+    robot_.start(QStringLiteral(MAPWRIGHT_PROGRAM),
+                 {QStringLiteral("simulate"), QStringLiteral("--dispatcher"),
+                  QStringLiteral("--dispatcher-edge"), QStringLiteral("20")});
+    if (!QTest::qWaitFor([&] { return robot_.canReadLine(); }, 60'000)) return false;
+    const QJsonObject said = QJsonDocument::fromJson(robot_.readLine()).object();
+    const auto address = [&](const char* kind) { return said[QLatin1String(kind)].toString(); };
+    addresses_ = {{QStringLiteral("AXBOT"), address("axbot")},
+                  {QStringLiteral("KABAM"), address("kabam")},
+                  {QStringLiteral("REP130"), address("rep130")},
+                  {QStringLiteral("ROSHOST"), address("ros").section(QStringLiteral("//"), 1)}};
+    return true;
+  }
+  bool makeSources() {
     program_.put("map.pgm", QByteArray("P5\n64 64\n255\n") + QByteArray(64 * 64, '\xfe'));
     program_.put("map.yaml",
                  "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
@@ -344,6 +468,7 @@ class ManualTest : public QObject {
                   QStringLiteral("kept.geojson")});
     program_.run({QStringLiteral("snapshot"), QStringLiteral("--robot"), QStringLiteral("map.yaml"),
                   QStringLiteral("-o"), QStringLiteral("one.png")});
+    return startRobots();
   }
   static void listMenus(const QWidget& menu, const QStringList& above, QStringList& paths) {
     for (const QAction* action : menu.actions()) {

@@ -57,7 +57,7 @@ class MessageFields {
 std::string jsonText(std::string_view text);
 
 /// A message of a recording as one JSON object: for people (the inspector) or for programs (frames, export).
-/// Source: docs/command-line.md, "mapwright bags" (frames).
+/// Source: docs/json.md, "Messages".
 /// All of them contain "topic" and "__stamp", those of the channel and of the log. Messages that are not JSON
 /// objects, or that have other members of these names, are put into {"topic", "__stamp", "type", "msg"}.
 class MessageText {
