@@ -300,19 +300,12 @@ struct BagCommand {
 std::vector<BagCommand> bagCommands() {
   return {
       {"list", Text::tr("List the bags and recordings of a robot"), bagsList},
-      {"info",
-       Text::tr("Count the messages, with their time span and rates (the mean between the first "
-                "and the last message of a topic)"),
-       bagsInfo},
+      {"info", Text::tr("Show the times and topics, with their counts and mean rates"), bagsInfo},
       {"frames", Text::tr("Print the messages as recorded, one per line"), bagsFrames},
-      {"state", Text::tr("Show the state at a given time, as replaying from the start would give it"),
-       bagsState},
+      {"state", Text::tr("Show the state at a given time"), bagsState},
       {"events", Text::tr("List alerts, planner states, position jumps, map changes and lost localization"),
        bagsEvents},
-      {"report",
-       Text::tr("Write what the robot believed at a given time as one HTML file: map, state, safety, curves, "
-                "events, what lies on the way, what is not known"),
-       bagsReport},
+      {"report", Text::tr("Write an HTML report of what the robot believed at a given time"), bagsReport},
       {"download", Text::tr("Download one to a file, or resume an interrupted download"), bagsDownload},
       {"export", Text::tr("Export a part as MCAP or JSON lines"), bagsExport},
       {"track", Text::tr("Export the robot's path as CSV, GeoJSON or TUM"), bagsTrack},
@@ -373,8 +366,8 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
   if (is("report")) {
     command.add_option(
         "--against", args.against,
-        help(Text::tr("Another run beside it: OTHER@TIME, or OTHER for when it was nearest to the "
-                      "same place")));
+        help(Text::tr(
+            "Show another run beside it: OTHER@TIME, or OTHER for when it was nearest to the same place")));
     command.add_option("-o,--output", args.output, help(Text::tr("The HTML file; - is the standard output")))
         ->required();
   }

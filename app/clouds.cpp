@@ -149,7 +149,7 @@ void addClouds(Commands& commands) {
   const auto shared = std::make_shared<CloudsArguments>();
   CloudsArguments& args = *shared;
   CLI::App* const clouds =
-      commands.program().add_subcommand("clouds", help(Text::tr("The robot's 3D map, as points")));
+      commands.program().add_subcommand("clouds", help(Text::tr("The robot's 3D map as points: export")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
       "export", help(Text::tr("Write the points of a region or of the whole map to a PCD, PLY or CSV file")));

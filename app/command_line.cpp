@@ -149,7 +149,7 @@ int runCommand(int argc, char** argv) {
   AccessArguments access;
   CLI::App cli(
       help(Text::tr(
-          "mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.")),
+          "mapwright: view and edit the maps of mobile robots. Without a subcommand it opens the window.")),
       "mapwright");
   cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
   cli.set_help_all_flag("--help-all", help(Text::tr("Help for all subcommands")));
@@ -162,17 +162,15 @@ int runCommand(int argc, char** argv) {
   addAccess(cli, access);
   CLI::App* demo = cli.add_subcommand("demo", help(Text::tr("Open the window with a simulated robot")));
   demo->add_option("query", demo_query, help(Text::tr("For example scene=warehouse&submaps=500&seed=3")));
-  cli.add_option("file", operand, help(Text::tr("A map or a recording (MCAP or ROS 1 bag) to open")));
+  cli.add_option("file", operand, help(Text::tr("A map or a recording (MCAP or ROS bag) to open")));
   CLI::App* play = cli.add_subcommand("play", help(Text::tr("Open the window with a recording")));
-  play->add_option("file", operand, help(Text::tr("MCAP or ROS 1 bag")))->required();
+  play->add_option("file", operand, help(Text::tr("MCAP or ROS bag")))->required();
   Commands commands(cli);
   for (const auto add : {addSimulate, addSnapshot, addCompare, addSuite, addMaps, addProjections,
                          addWaypoints, addOverlays, addBags, addRecord, addClouds, addTopics, addProbe})
     add(commands);
   addLog(cli, log_rules);
-  CLI::App* bench = cli.add_subcommand(
-      "bench",
-      help(Text::tr("Run the benchmarks, which compare mapwright with other ways of doing the same")));
+  CLI::App* bench = cli.add_subcommand("bench", help(Text::tr("Run the benchmarks")));
   bench->prefix_command();
   bench->footer(help(
       Text::tr("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));

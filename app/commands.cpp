@@ -73,7 +73,7 @@ void addAccess(CLI::App& command, AccessArguments& access) {
 }
 
 void addTimeout(CLI::App& command, double& timeout_s, const QString& about) {
-  const QString usual = Text::tr("Give up waiting after this many seconds");
+  const QString usual = Text::tr("Timeout in seconds");
   command.add_option("--timeout", timeout_s, help(about.isEmpty() ? usual : about))->capture_default_str();
 }
 

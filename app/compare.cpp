@@ -97,15 +97,14 @@ void addCompare(Commands& commands) {
                    help(Text::tr("By how much a channel of a pixel may differ: 0 to 255")))
       ->capture_default_str();
   command
-      ->add_option(
-          "--max-differing", args->allowed.max_differing_percent,
-          help(Text::tr("How many pixels may differ by more, in percent; never where they are dense, "
-                        "such as a lost marker")))
+      ->add_option("--max-differing", args->allowed.max_differing_percent,
+                   help(Text::tr("Share of pixels that may differ by more, in percent; dense clusters, such "
+                                 "as a lost marker, never may")))
       ->capture_default_str();
   command->add_option(
       "--mask", args->allowed.mask,
       help(Text::tr("A picture of the same size whose gray says by how much each pixel may differ")));
-  command->add_option("--diff", args->diff, help(Text::tr("Write a picture of what differs (PNG)")));
+  command->add_option("--diff", args->diff, help(Text::tr("Write a picture of the differences (PNG)")));
   command->add_option(
       "--report", args->report,
       help(

@@ -63,9 +63,8 @@ Q_LOGGING_CATEGORY(lcApp, "mapwright.app", QtWarningMsg)
 
 void addLog(CLI::App& program, std::string& rules) {
   program.add_option("--log", rules,
-                     help(Text::tr("Tell on standard error what goes on: all, parts of the program such as "
-                                   "net,session, or rules of Qt such as mapwright.net.debug=true (or "
-                                   "MAPWRIGHT_LOG)")));
+                     help(Text::tr("Log to standard error: all, parts of the program such as net,session, or "
+                                   "rules of Qt such as mapwright.net.debug=true (or MAPWRIGHT_LOG)")));
   for (CLI::App* command : program.get_subcommands({})) addLog(*command, rules);
 }
 

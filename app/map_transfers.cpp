@@ -256,19 +256,17 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
   };
   CLI::App* const download =
       add("download",
-          Text::tr("Download a stored map whole, with the data that robots position themselves by; an "
-                   "interrupted download goes on"),
+          Text::tr("Download a stored map with its positioning data, or resume an interrupted download"),
           mapsDownload);
   download->add_option("id", args->id, help(Text::tr("Id of a stored map")))->required();
   download->add_option("-o,--output", args->folder, help(Text::tr("The folder for its files")))
       ->required()
       ->type_name("DIR");
   download->add_flag("--force", args->force, help(Text::tr("Replace the map in the folder")));
-  CLI::App* const upload = add("upload", Text::tr("Add a downloaded map to the maps of a robot"), mapsUpload);
+  CLI::App* const upload = add("upload", Text::tr("Add a downloaded map to the robot's maps"), mapsUpload);
   upload->add_option("folder", args->folder, help(Text::tr("The folder of a finished download")))->required();
   upload->add_option("--name", args->name, help(Text::tr("Another name")));
-  upload->add_flag("--as-new", args->as_new,
-                   help(Text::tr("As another map, with a uid of its own, beside the one that it is of")));
+  upload->add_flag("--as-new", args->as_new, help(Text::tr("Add it as another map, with a new uid")));
   CLI::App* const image =
       add("set-image", Text::tr("Replace the image of the robot's current map (KABAM)"), mapsSetImage);
   image->add_option("id", args->id, help(Text::tr("Id of the map")))->required();
@@ -278,7 +276,7 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
           help(Text::tr("A PGM or PNG of the same size, or its map.yaml: black occupied, white free, "
                         "205 unknown")))
       ->required();
-  CLI::App* const create = add("create", Text::tr("Add a map made of a picture"), mapsCreate);
+  CLI::App* const create = add("create", Text::tr("Add a map made from a picture"), mapsCreate);
   create->add_option("name", args->name, help(Text::tr("Its name")))->required();
   create
       ->add_option("--image", args->image,

@@ -613,18 +613,17 @@ void addMaps(Commands& commands) {
   exported->add_flag("--world-file", args.world_file,
                      help(Text::tr("Also write a world file: NAME.pgw of a PNG, NAME.wld of a PGM")));
   const std::string allow_missing =
-      help(Text::tr("Write the map even if most of its picture is missing: what is missing is unknown"));
+      help(Text::tr("Write the map even if most of its picture is missing, as unknown cells"));
   exported->add_flag("--allow-missing", args.allow_missing, allow_missing);
+  exported->add_option("--map-mode", args.map_mode,
+                       help(Text::tr("How map_server reads the picture: trinary (default: walls, free and "
+                                     "unknown as shown), or scale or raw (percentages)")));
+  exported->add_option("--occupied", args.occupied,
+                       help(Text::tr("occupied_thresh, 0 to 1: cells of a higher probability are walls. "
+                                     "Without thresholds 0.65, with shades that keep all walls")));
   exported->add_option(
-      "--map-mode", args.map_mode,
-      help(Text::tr("How map_server is to read the picture: trinary (the default: walls, free "
-                    "and unknown as shown), scale or raw (the percentages)")));
-  exported->add_option(
-      "--occupied", args.occupied,
-      help(Text::tr("Cells of a higher probability are walls: occupied_thresh, 0 to 1; without "
-                    "thresholds 0.65, and shades for which all walls stay walls")));
-  exported->add_option("--free", args.free,
-                       help(Text::tr("Cells of a lower probability are free: free_thresh (default: 0.196)")));
+      "--free", args.free,
+      help(Text::tr("free_thresh, 0 to 1: cells of a lower probability are free (default: 0.196)")));
   exported->add_option("--region", args.region,
                        help(Text::tr("Only this region of the live map of a map dispatcher (REP "
                                      "130): X,Y,LX,LY, its centre and side lengths in metres")));
@@ -657,13 +656,12 @@ void addMaps(Commands& commands) {
       command->add_option("id", args.id, help(Text::tr("Id of a stored map")))->required();
     if (names(one.change)) command->add_option("name", args.label, help(Text::tr("New name")))->required();
     if (one.change == MapChange::Load)
-      command->add_option("--waypoint", args.place,
-                          help(Text::tr("Name of the waypoint at which the robot stands")));
+      command->add_option("--waypoint", args.place, help(Text::tr("Waypoint at which the robot stands")));
     if (one.change == MapChange::StartMapping)
       command->add_flag("--continue", args.continues, help(Text::tr("Map more of the current map")));
     if (one.change == MapChange::StopMapping)
       command->add_flag("--cancel", args.cancels,
-                        help(Text::tr("Drop what was mapped since the start; it cannot be undone")));
+                        help(Text::tr("Discard the result; this cannot be undone")));
     if (one.change == MapChange::Delete)
       command->add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   }

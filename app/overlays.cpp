@@ -433,7 +433,7 @@ CommandResult<int> historyRestore(RobotCommand& command, const OverlaysArguments
 void addHistory(Commands& commands, CLI::App& overlays, const std::shared_ptr<OverlaysArguments>& shared) {
   OverlaysArguments& args = *shared;
   CLI::App* const history = overlays.add_subcommand(
-      "history", help(Text::tr("Versions that were read or stored from this computer: list, show, restore")));
+      "history", help(Text::tr("Earlier versions seen on this computer: list, show, restore")));
   history->require_subcommand(1);
   const auto addNumber = [&](CLI::App* command) {
     command->add_option("number", args.number, help(Text::tr("Number of the version, see history list")))
@@ -463,11 +463,9 @@ void addHistory(Commands& commands, CLI::App& overlays, const std::shared_ptr<Ov
                    help(Text::tr("Write the version as GeoJSON; - is the standard output")));
   addForce(*show, args.force);
   CLI::App* const restore =
-      addReading(commands, *history, "restore",
-                 Text::tr("Replace what the robot holds by a version, and say what changes"),
+      addReading(commands, *history, "restore", Text::tr("Replace the robot's overlays with a version"),
                  Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), shared, historyRestore);
-  restore->add_option("--map", args.map,
-                      help(Text::tr("Id of a stored map; by default the one that it was of")));
+  restore->add_option("--map", args.map, help(Text::tr("Id of a stored map; by default the version's own")));
   restore->add_flag("--dry-run", args.dry_run, help(Text::tr("Print the changes, send nothing")));
   addNumber(restore);
   addJson(*restore, args.json);
@@ -498,15 +496,15 @@ void addOverlays(Commands& commands) {
         ->required();
     command->add_option(
         "--base", args.base,
-        help(Text::tr("The file as overlays get wrote it: only what differs from it is changed")));
+        help(Text::tr("The file that overlays get wrote: only what differs from it is changed")));
     addJson(*command, args.json);
   };
   CLI::App* set =
       add("set", Text::tr("Change the overlays on the robot: merge, store, read back"), overlaysSet);
   addFiles(set);
   set->add_flag("--replace", args.replace,
-                help(Text::tr("Replace everything that the robot holds, without a base")));
-  set->add_flag("--yes", args.yes, help(Text::tr("Also when more features are deleted than kept")));
+                help(Text::tr("Replace all overlays of the robot, without a base")));
+  set->add_flag("--yes", args.yes, help(Text::tr("Even if more features are deleted than kept")));
   set->add_flag("--dry-run", args.dry_run, help(Text::tr("Print the changes, send nothing")));
   CLI::App* plan =
       add("plan", Text::tr("Show what set would change and what conflicts; sends nothing"), overlaysPlan);
@@ -514,10 +512,10 @@ void addOverlays(Commands& commands) {
   plan->add_option("-o,--output", args.output, help(Text::tr("Write it as JSON; - is the standard output")));
   addForce(*plan, args.force);
   CLI::App* validate =
-      add("validate", Text::tr("Check a file, or what the robot holds; exit code 1 when there are flaws"),
+      add("validate", Text::tr("Check a file or the robot's overlays; exit code 1 if there are flaws"),
           overlaysValidate);
-  validate->add_option("file", args.file, help(Text::tr("GeoJSON file; by default what the robot holds")));
-  validate->add_option("--off", args.off, help(Text::tr("Rules that are not checked, separated by commas")));
+  validate->add_option("file", args.file, help(Text::tr("GeoJSON file; by default the robot's overlays")));
+  validate->add_option("--off", args.off, help(Text::tr("Rules to skip, separated by commas")));
   validate->add_option(
       "--radius", args.radius,
       help(Text::tr("Radius of the robot in metres; by default from its footprint, or 0.3")));

@@ -111,12 +111,10 @@ void addPoses(Commands& commands, CLI::App& maps) {
     return command;
   };
   CLI::App* const set =
-      add("set-pose", Text::tr("Tell the robot where it is on its current map, and read back what it says"),
-          mapsSetPose);
+      add("set-pose", Text::tr("Tell the robot where it is on its current map"), mapsSetPose);
   set->add_option("--at", args->at, help(Text::tr("X,Y,YAW in metres and degrees")))->required();
-  set->add_flag("--adjust", args->adjust,
-                help(Text::tr("The robot may correct the pose by what its sensors see")));
-  add("locate", Text::tr("Make the robot look for itself on its current map"), mapsLocate);
+  set->add_flag("--adjust", args->adjust, help(Text::tr("Let the robot correct the pose with its sensors")));
+  add("locate", Text::tr("Let the robot find itself on its current map"), mapsLocate);
 }
 
 }  // namespace mapwright::app

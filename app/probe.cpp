@@ -113,15 +113,14 @@ CommandResult<int> probe(const ProbeArguments& args) {
 void addProbe(Commands& commands) {
   const auto args = std::make_shared<ProbeArguments>();
   CLI::App* const command = commands.program().add_subcommand(
-      "probe", help(Text::tr("Which robots answer at a host, and by which address")));
+      "probe", help(Text::tr("Find the robots at a host and their addresses")));
   command
       ->add_option(
           "host", args->host,
-          help(Text::tr("Name or address, for example dock-3.local; with a port only that is asked")))
+          help(Text::tr("Name or address, for example dock-3.local; with a port, only that port is asked")))
       ->required();
-  addTimeout(*command, args->timeout_s, Text::tr("Seconds after which what has not answered is given up"));
-  command->add_flag("--details", args->details,
-                    help(Text::tr("Say for each port that was asked why there is no robot")));
+  addTimeout(*command, args->timeout_s, Text::tr("Timeout in seconds"));
+  command->add_flag("--details", args->details, help(Text::tr("Say for each port why there is no robot")));
   addJson(*command, args->json);
   commands.add(command, [args](const Invocation& before) {
     const QCoreApplication application(before.argc, before.argv);

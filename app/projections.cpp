@@ -135,7 +135,7 @@ void addProjections(Commands& commands) {
   ProjectionsArguments& args = *shared;
   CLI::App* projections = commands.program().add_subcommand(
       "projections",
-      help(Text::tr("What a map dispatcher (REP 130) projects from its 3D map onto a plane: list, set")));
+      help(Text::tr("Projections of a map dispatcher's 3D map onto a plane (REP 130): list, set")));
   projections->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what, bool sets) {
     CLI::App* command =

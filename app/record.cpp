@@ -318,7 +318,7 @@ void addRecord(Commands& commands) {
       ->add_option("--submaps", args.submaps,
                    help(Text::tr("listed (each submap once), all (every version) or none")))
       ->capture_default_str();
-  addTimeout(*command, args.timeout_s, Text::tr("Give up connecting after this many seconds"));
+  addTimeout(*command, args.timeout_s, Text::tr("Timeout for connecting in seconds"));
   addJson(*command, args.json);
   commands.add(command, [shared](const Invocation& before) {
     inherit(*shared, before);

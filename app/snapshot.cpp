@@ -241,10 +241,9 @@ void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
       ->required();
   command->add_flag("--force", args.force,
                     help(Text::tr("Overwrite a file even if the map was read from it")));
-  command->add_option(
-      "--mode", args.mode,
-      help(Text::tr("submaps, or whole (or grid, which means the same for robots and files whose whole "
-                    "map is an occupancy grid). Default: submaps, if there are any")));
+  command->add_option("--mode", args.mode,
+                      help(Text::tr("submaps, or whole (or grid, the same for robots and files whose whole "
+                                    "map is an occupancy grid). Default: submaps if there are any")));
   command->add_option("--map", args.map,
                       help(Text::tr("Id of a stored map, or mapping:ID (see mapwright maps "
                                     "list); by default the live or current one")));
@@ -280,9 +279,7 @@ void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
   command->add_option("--theme", args.theme, help(Text::tr("light or dark")))->capture_default_str();
   command->add_flag("--raw", args.raw,
                     help(Text::tr("Only the map pixels: gray = intensity, alpha 0 = not observed")));
-  command
-      ->add_option("--settle", args.settle,
-                   help(Text::tr("complete, or for how many seconds to collect data")))
+  command->add_option("--settle", args.settle, help(Text::tr("complete, or seconds to collect data")))
       ->capture_default_str();
   addTimeout(*command, args.timeout_s);
   command->add_option("--report", args.report,

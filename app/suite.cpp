@@ -497,7 +497,7 @@ int suiteCommand(SuiteDeed deed, SuiteArguments& args, const Invocation& before)
 
 void addSuite(Commands& commands) {
   CLI::App* const suite = commands.program().add_subcommand(
-      "suite", help(Text::tr("Compare many views with the pictures expected of them")));
+      "suite", help(Text::tr("Compare many views with their expected pictures")));
   suite->require_subcommand(1);
   struct Deed {
     const char* name;
@@ -507,9 +507,8 @@ void addSuite(Commands& commands) {
   for (const Deed& one :
        {Deed{"run", SuiteDeed::Run,
              Text::tr("Draw all views, compare them, write junit.xml and report.html")},
-        Deed{"accept", SuiteDeed::Accept, Text::tr("Draw all views and take them as the expected pictures")},
-        Deed{"list", SuiteDeed::List,
-             Text::tr("List the views and whether pictures are expected of them")}}) {
+        Deed{"accept", SuiteDeed::Accept, Text::tr("Draw all views and store them as the expected pictures")},
+        Deed{"list", SuiteDeed::List, Text::tr("List the views and their expected pictures")}}) {
     const auto args = std::make_shared<SuiteArguments>();
     CLI::App* const command = suite->add_subcommand(one.name, help(one.about));
     command->add_option("suite", args->suite, help(Text::tr("The list of views (YAML)")))->required();
@@ -524,7 +523,7 @@ void addSuite(Commands& commands) {
         ->allow_extra_args(false);
     command->add_option("--jobs", args->jobs, help(Text::tr("How many views are drawn at the same time")))
         ->capture_default_str();
-    addRobot(*command, *args, Text::tr("Robot of the views that name none (or MAPWRIGHT_ROBOT)"));
+    addRobot(*command, *args, Text::tr("Robot for views that name none (or MAPWRIGHT_ROBOT)"));
     commands.add(command, [args, deed = one.deed](const Invocation& before) {
       return suiteCommand(deed, *args, before);
     });

@@ -312,8 +312,8 @@ CommandResult<int> runTopics(const std::string& what, const TopicsArguments& arg
 void addTopics(Commands& commands) {
   const auto shared = std::make_shared<TopicsArguments>();
   TopicsArguments& args = *shared;
-  CLI::App* const topics = commands.program().add_subcommand(
-      "topics", help(Text::tr("The topics of a robot, under its own names: list, echo, hz")));
+  CLI::App* const topics =
+      commands.program().add_subcommand("topics", help(Text::tr("The topics of a robot: list, echo, hz")));
   topics->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what) {
     CLI::App* const command = topics->add_subcommand(name, help(what));
@@ -326,7 +326,7 @@ void addTopics(Commands& commands) {
     return command;
   };
   addTimeout(*add("list", Text::tr("List all topics with their types")), args.timeout_s,
-             Text::tr("Give up connecting after this many seconds"));
+             Text::tr("Timeout for connecting in seconds"));
   CLI::App* const echo = add(
       "echo", Text::tr("Print the messages of a topic as they arrive, one JSON text per line, until Ctrl+C"));
   echo->add_option("topic", args.topics, help(Text::tr("Topic, as the robot names it")))
@@ -337,13 +337,12 @@ void addTopics(Commands& commands) {
       ->check(CLI::Range(1, 1'000'000'000));
   echo->add_flag("--shorten", args.shorten,
                  help(Text::tr("Print only the beginning of long lists and texts, still as JSON")));
-  addTimeout(*echo, args.timeout_s,
-             Text::tr("Give up after this many seconds without a connection or a message"));
+  addTimeout(*echo, args.timeout_s, Text::tr("Timeout in seconds without a connection or a message"));
   CLI::App* const hz = add("hz", Text::tr("Measure the rates of topics and how regular they are"));
   hz->add_option("topics", args.topics, help(Text::tr("Topics, as the robot names them")))->required();
   hz->add_option("--seconds", args.seconds, help(Text::tr("For how many seconds to measure")))
       ->capture_default_str();
-  addTimeout(*hz, args.timeout_s, Text::tr("Give up connecting after this many seconds"));
+  addTimeout(*hz, args.timeout_s, Text::tr("Timeout for connecting in seconds"));
 }
 
 }  // namespace mapwright::app

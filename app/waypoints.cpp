@@ -466,7 +466,7 @@ void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsArg
   if (is("delete"))
     command.add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   if (is("apply"))
-    command.add_flag("--yes", args.yes, help(Text::tr("Also when more waypoints are deleted than kept")));
+    command.add_flag("--yes", args.yes, help(Text::tr("Even if more waypoints are deleted than kept")));
   if (is("import", "plan"))
     command
         .add_option(
