@@ -1,10 +1,12 @@
-// The pictures of docs/window.md, made by the program itself: each task is done in a real window, and what is
+// The pictures of the documents, made by the program itself: each task is done in a real window, and what is
 // seen then is the picture. docs/draw-pictures writes them; without it the test shows that the tasks work.
 #include <functional>
 
+#include <QDirIterator>
 #include <QDockWidget>
 #include <QFile>
 #include <QRegularExpression>
+#include <QTableView>
 #include <QtTest>
 
 #include "app/robot_factory.h"
@@ -66,11 +68,27 @@ class Desk {
     if (!action || !QTest::qWaitFor([&] { return action->isEnabled(); }, kLongMs)) qFatal("no action %s", id);
     action->trigger();
   }
-  void front(const char* dock) {
+  QDockWidget& front(const char* dock) {
     auto* const panel = window().findChild<QDockWidget*>(QLatin1String(dock));
     if (!panel) qFatal("no dock %s", dock);
     panel->show();
     panel->raise();
+    return *panel;
+  }
+  /// Selects the first row in a table of the dock that contains `text`.
+  bool select(const char* dock, const char* text) {
+    return QTest::qWaitFor(
+        [&, &panel = front(dock)] {
+          for (auto* const table : panel.findChildren<QTableView*>()) {
+            const QModelIndexList rows = table->model()->match(table->model()->index(0, 0), Qt::DisplayRole,
+                                                               QLatin1String(text), 1, Qt::MatchContains);
+            if (rows.isEmpty()) continue;
+            table->setCurrentIndex(rows.front());
+            return true;
+          }
+          return false;
+        },
+        kLongMs);
   }
   /// What is seen when nothing moves any more; written if asked to.
   bool picture(const char* name) {
@@ -130,6 +148,17 @@ class GuidePicturesTest : public QObject {
     QVERIFY(desk.picture(qPrintable(picture)));
   }
 
+  void editOverlays() {
+    Desk desk;
+    QVERIFY(desk.connectTo(desk.robot().address()) && desk.openMap());
+    desk.act("layoutOperate");
+    desk.act("modeWhole");
+    desk.act("overlayTool");
+    QVERIFY(desk.select("overlays", "Region 15"));
+    desk.act("fit");
+    QVERIFY(desk.picture("overlays"));
+  }
+
   void replayWhatHappened() {
     Desk desk;
     QVERIFY(desk.connectTo(desk.robot().address()));
@@ -165,21 +194,29 @@ class GuidePicturesTest : public QObject {
   }
 
   /// A picture that nothing makes would show an old program for ever.
-  void theGuideShowsJustThese() {
-    QFile guide(QFINDTESTDATA("../../docs/window.md"));
-    QVERIFY(guide.open(QIODevice::ReadOnly));
-    const QString text = QString::fromUtf8(guide.readAll());
-    QStringList shown;
-    for (auto all = QRegularExpression(QStringLiteral("\\]\\(pictures/(\\w+)\\.png\\)")).globalMatch(text);
-         all.hasNext();) {
-      shown << all.next().captured(1);
-      QVERIFY2(QFile::exists(QFINDTESTDATA("../../docs/pictures/") + shown.back() + QStringLiteral(".png")),
-               qPrintable(shown.back()));
+  void thePagesShowJustThese() {
+    const QDir top(QFINDTESTDATA("../../docs"));
+    QStringList pages{top.filePath(QStringLiteral("../README.md"))};
+    QDirIterator below(top.path(), {QStringLiteral("*.md")}, QDir::Files, QDirIterator::Subdirectories);
+    while (below.hasNext()) pages << below.next();
+    QSet<QString> shown;
+    for (const QString& page : pages) {
+      QFile file(page);
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      static const QRegularExpression picture(QStringLiteral("\\]\\([^)]*pictures/(\\w+)\\.png\\)"));
+      for (auto all = picture.globalMatch(QString::fromUtf8(file.readAll())); all.hasNext();)
+        shown << all.next().captured(1);
     }
-    shown.sort();
-    QCOMPARE(shown,
-             (QStringList{QStringLiteral("clean"), QStringLiteral("compare"), QStringLiteral("inspect"),
-                          QStringLiteral("replay"), QStringLiteral("waypoints")}));
+    QStringList kept;
+    for (const QFileInfo& picture :
+         QDir(top.filePath(QStringLiteral("pictures"))).entryInfoList(QDir::Files)) {
+      kept << picture.baseName();
+      QVERIFY2(picture.size() < 350'000, qPrintable(picture.fileName()));
+    }
+    QCOMPARE(kept, (QStringList{QStringLiteral("clean"), QStringLiteral("compare"), QStringLiteral("inspect"),
+                                QStringLiteral("overlays"), QStringLiteral("replay"),
+                                QStringLiteral("waypoints")}));
+    QCOMPARE(shown, QSet<QString>(kept.begin(), kept.end()));
   }
 };
 
