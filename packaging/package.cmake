@@ -30,7 +30,7 @@ install(FILES resources/mapwright.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons
 install(FILES ${packaging}/copyright ${made}/NEWS.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # As in the sources, so that their links and pictures are there.
 install(FILES docs/window.md docs/command-line.md docs/maps-in-ci.md docs/same-bytes.md
-  docs/simulator.md docs/json.md docs/files.md docs/troubleshooting.md
+  docs/getting-started.md docs/simulator.md docs/json.md docs/files.md docs/troubleshooting.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
