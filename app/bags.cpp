@@ -306,7 +306,7 @@ std::vector<BagCommand> bagCommands() {
       {"events", Text::tr("List alerts, planner states, position jumps, map changes and lost localization"),
        bagsEvents},
       {"report", Text::tr("Write an HTML report of what the robot believed at a given time"), bagsReport},
-      {"download", Text::tr("Download one to a file, or resume an interrupted download"), bagsDownload},
+      {"download", Text::tr("Download a bag, or resume an interrupted download"), bagsDownload},
       {"export", Text::tr("Export a part as MCAP or JSON lines"), bagsExport},
       {"track", Text::tr("Export the robot's path as CSV, GeoJSON or TUM"), bagsTrack},
       {"repair",
@@ -316,7 +316,7 @@ std::vector<BagCommand> bagCommands() {
       {"split", Text::tr("Split a recording into parts of equal length that can each be replayed alone"),
        bagsSplit},
       {"merge", Text::tr("Merge several recordings into one"), bagsMerge},
-      {"delete", Text::tr("Delete one from the robot (--yes)"), bagsDelete},
+      {"delete", Text::tr("Delete a bag from the robot (--yes)"), bagsDelete},
       {"record", Text::tr("Make the robot record a bag"), bagsRecord}};
 }
 
@@ -361,7 +361,7 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
   if (is("events"))
     command.add_option(
         "--kind", args.kinds,
-        help(Text::tr("Only these, separated by commas: alerts, planner, position, maps, stops")));
+        help(Text::tr("Only these kinds, separated by commas: alerts, planner, position, maps, stops")));
   if (is("state", "report")) addTime(command, "--at", args.at, Needed::Yes);
   if (is("report")) {
     command.add_option(

@@ -90,11 +90,10 @@ void addCompare(Commands& commands) {
   CLI::App* const command =
       commands.program().add_subcommand("compare", help(Text::tr("Compare two pictures pixel by pixel")));
   command->add_option("expected", args->expected, help(Text::tr("The expected picture")))->required();
-  command->add_option("actual", args->actual, help(Text::tr("The picture that is compared with it")))
-      ->required();
+  command->add_option("actual", args->actual, help(Text::tr("The picture to compare with it")))->required();
   command
       ->add_option("--tolerance", args->allowed.tolerance,
-                   help(Text::tr("By how much a channel of a pixel may differ: 0 to 255")))
+                   help(Text::tr("Difference allowed for a channel of a pixel: 0 to 255")))
       ->capture_default_str();
   command
       ->add_option("--max-differing", args->allowed.max_differing_percent,

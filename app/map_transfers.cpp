@@ -259,13 +259,13 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
           Text::tr("Download a stored map with its positioning data, or resume an interrupted download"),
           mapsDownload);
   download->add_option("id", args->id, help(Text::tr("Id of a stored map")))->required();
-  download->add_option("-o,--output", args->folder, help(Text::tr("The folder for its files")))
+  download->add_option("-o,--output", args->folder, help(Text::tr("Folder for the files")))
       ->required()
       ->type_name("DIR");
   download->add_flag("--force", args->force, help(Text::tr("Replace the map in the folder")));
   CLI::App* const upload = add("upload", Text::tr("Add a downloaded map to the robot's maps"), mapsUpload);
-  upload->add_option("folder", args->folder, help(Text::tr("The folder of a finished download")))->required();
-  upload->add_option("--name", args->name, help(Text::tr("Another name")));
+  upload->add_option("folder", args->folder, help(Text::tr("Folder of a finished download")))->required();
+  upload->add_option("--name", args->name, help(Text::tr("Give the map this name")));
   upload->add_flag("--as-new", args->as_new, help(Text::tr("Add it as another map, with a new uid")));
   CLI::App* const image =
       add("set-image", Text::tr("Replace the image of the robot's current map (KABAM)"), mapsSetImage);
@@ -277,7 +277,7 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
                         "205 unknown")))
       ->required();
   CLI::App* const create = add("create", Text::tr("Add a map made from a picture"), mapsCreate);
-  create->add_option("name", args->name, help(Text::tr("Its name")))->required();
+  create->add_option("name", args->name, help(Text::tr("Name of the new map")))->required();
   create
       ->add_option("--image", args->image,
                    help(Text::tr("A PNG: black occupied, white free, gray or transparent unknown")))

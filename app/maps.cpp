@@ -658,7 +658,7 @@ void addMaps(Commands& commands) {
     if (one.change == MapChange::Load)
       command->add_option("--waypoint", args.place, help(Text::tr("Waypoint at which the robot stands")));
     if (one.change == MapChange::StartMapping)
-      command->add_flag("--continue", args.continues, help(Text::tr("Map more of the current map")));
+      command->add_flag("--continue", args.continues, help(Text::tr("Extend the current map")));
     if (one.change == MapChange::StopMapping)
       command->add_flag("--cancel", args.cancels,
                         help(Text::tr("Discard the result; this cannot be undone")));

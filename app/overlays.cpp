@@ -450,7 +450,7 @@ void addHistory(Commands& commands, CLI::App& overlays, const std::shared_ptr<Ov
     return command;
   };
   CLI::App* const list =
-      addOffline("list", Text::tr("List them, the newest first; needs no connection"), historyList);
+      addOffline("list", Text::tr("List the versions, newest first; needs no connection"), historyList);
   list->add_option("--robot", args.robot, help(Text::tr("Only of this robot (or MAPWRIGHT_ROBOT)")));
   list->add_option("--map", args.map, help(Text::tr("Only of this map: its id, uid or name")));
   CLI::App* const show =
@@ -499,8 +499,7 @@ void addOverlays(Commands& commands) {
         help(Text::tr("The file that overlays get wrote: only what differs from it is changed")));
     addJson(*command, args.json);
   };
-  CLI::App* set =
-      add("set", Text::tr("Change the overlays on the robot: merge, store, read back"), overlaysSet);
+  CLI::App* set = add("set", Text::tr("Merge your changes into the robot's overlays"), overlaysSet);
   addFiles(set);
   set->add_flag("--replace", args.replace,
                 help(Text::tr("Replace all overlays of the robot, without a base")));
@@ -509,7 +508,8 @@ void addOverlays(Commands& commands) {
   CLI::App* plan =
       add("plan", Text::tr("Show what set would change and what conflicts; sends nothing"), overlaysPlan);
   addFiles(plan);
-  plan->add_option("-o,--output", args.output, help(Text::tr("Write it as JSON; - is the standard output")));
+  plan->add_option("-o,--output", args.output,
+                   help(Text::tr("Write the plan as JSON; - is the standard output")));
   addForce(*plan, args.force);
   CLI::App* validate =
       add("validate", Text::tr("Check a file or the robot's overlays; exit code 1 if there are flaws"),

@@ -513,15 +513,15 @@ void addSuite(Commands& commands) {
     CLI::App* const command = suite->add_subcommand(one.name, help(one.about));
     command->add_option("suite", args->suite, help(Text::tr("The list of views (YAML)")))->required();
     auto* const expected = command->add_option(
-        "--expected", args->expected, help(Text::tr("The folder of the expected pictures and their facts")));
+        "--expected", args->expected, help(Text::tr("Folder with the expected pictures and their facts")));
     auto* const report = command->add_option(
-        "--report", args->report, help(Text::tr("The folder for the report and the pictures that differ")));
+        "--report", args->report, help(Text::tr("Folder for the report and the pictures that differ")));
     for (CLI::Option* const folder : {expected, report}) folder->type_name("DIR");
     if (one.deed != SuiteDeed::List) expected->required();
     if (one.deed == SuiteDeed::Run) report->required();
     command->add_option("--only", args->only, help(Text::tr("Only this view; may be repeated")))
         ->allow_extra_args(false);
-    command->add_option("--jobs", args->jobs, help(Text::tr("How many views are drawn at the same time")))
+    command->add_option("--jobs", args->jobs, help(Text::tr("Number of views drawn at the same time")))
         ->capture_default_str();
     addRobot(*command, *args, Text::tr("Robot for views that name none (or MAPWRIGHT_ROBOT)"));
     commands.add(command, [args, deed = one.deed](const Invocation& before) {

@@ -333,7 +333,7 @@ void addTopics(Commands& commands) {
       ->required()
       ->expected(1);
   echo->add_option("--count", args.count,
-                   help(Text::tr("Stop after this many messages; by default when interrupted")))
+                   help(Text::tr("Stop after this many messages; by default at Ctrl+C")))
       ->check(CLI::Range(1, 1'000'000'000));
   echo->add_flag("--shorten", args.shorten,
                  help(Text::tr("Print only the beginning of long lists and texts, still as JSON")));
