@@ -75,21 +75,6 @@ QJsonArray conflictsJson(const std::vector<OverlayConflict>& conflicts) {
   return rows;
 }
 
-QString featureCalled(const std::string& id, const std::string& name) {
-  return words::plainName(name.empty() ? id.empty() ? Text::tr("(no id)").toStdString() : id : name);
-}
-
-QString featuresCalled(const std::vector<OverlayChange>& changes) {
-  constexpr std::size_t kMost = 5;
-  QStringList names;
-  for (const OverlayChange& change : changes) {
-    if (names.size() == qsizetype(kMost)) break;
-    names << (change.collection ? Text::tr("the collection") : featureCalled(change.id, change.name));
-  }
-  if (changes.size() > kMost) names << QStringLiteral("…");
-  return names.join(QStringLiteral(", "));
-}
-
 void printChanges(const std::vector<OverlayChange>& changes, const OverlayDocument& before,
                   const OverlayDocument& after) {
   if (changes.empty()) return;
@@ -112,7 +97,7 @@ void printConflicts(const std::vector<OverlayConflict>& conflicts) {
     };
     table.push_back({sentences::partName(conflict.part),
                      conflict.base ? shown(conflict.base) : Text::tr("(not there)"), shown(conflict.mine),
-                     shown(conflict.theirs), featureCalled(conflict.id, conflict.name)});
+                     shown(conflict.theirs), sentences::featureCalled(conflict.id, conflict.name)});
   }
   printTable(table);
 }
@@ -144,7 +129,7 @@ void printFlaws(const OverlayDocument& document, const std::vector<overlays::Fla
     table.push_back({text(std::string(overlays::nameOf(flaw.rule))),
                      flaw.at_m ? metres(flaw.at_m->x()) : QStringLiteral("-"),
                      flaw.at_m ? metres(flaw.at_m->y()) : QStringLiteral("-"),
-                     oneLine(featureCalled(feature.id(), feature.name()), 40),
+                     oneLine(sentences::featureCalled(feature.id(), feature.name()), 40),
                      words::plainName(sentences::sentenceOf(flaw.why))});
   }
   printTable(table);

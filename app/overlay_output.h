@@ -12,11 +12,6 @@
 
 namespace mapwright::app {
 
-/// What people call a feature: its name, else its id.
-QString featureCalled(const std::string& id, const std::string& name);
-/// A few of them, separated by commas.
-QString featuresCalled(const std::vector<overlays::OverlayChange>& changes);
-
 /// null for an empty one.
 QJsonValue textOrNull(const std::string& plain);
 /// [{"id"|null,"name"|null,"kind":"add|change|remove","parts"}]

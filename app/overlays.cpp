@@ -145,64 +145,25 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   return kDone;
 }
 
-/// Whether the robot holds what was wanted now; null: nobody knows.
-QJsonValue appliedIn(const jobs::OverlayOutcome& outcome, bool wanted) {
-  if (!wanted || !outcome.merge.conflicts.empty()) return false;
-  if (outcome.unreadable.any()) return {};
-  if (!outcome.sent || outcome.differs.empty()) return true;
-  return outcome.version == outcome.version_before && outcome.version ? QJsonValue(false) : QJsonValue();
+/// null: nobody knows.
+QJsonValue appliedJson(map::Applied applied) {
+  return applied == map::Applied::Maybe ? QJsonValue() : QJsonValue(applied == map::Applied::Yes);
 }
 
-QJsonObject outcomeJson(const jobs::OverlayOutcome& outcome, bool wanted) {
-  return {{QStringLiteral("changes"), changesJson(outcome.merge.mine)},
-          {QStringLiteral("theirs"), qint64(outcome.merge.theirs.size())},
-          {QStringLiteral("conflicts"), conflictsJson(outcome.merge.conflicts)},
-          {QStringLiteral("applied"), appliedIn(outcome, wanted)},
-          {QStringLiteral("version"), outcome.version ? QJsonValue(*outcome.version) : QJsonValue()}};
-}
-
-/// What became of what was sent, if that is not certain; otherwise empty.
-QString doubtOf(const jobs::OverlayOutcome& outcome) {
-  using Between = jobs::OverlayOutcome::Between;
-  const auto version = [](const std::optional<int>& number) {
-    return number ? QString::number(*number) : QString();
-  };
-  QStringList sentences;
-  if (outcome.unreadable.any())
-    return Text::tr(
-               "The overlays were sent, but what the robot holds now cannot be read. %1 Earlier versions are "
-               "in mapwright overlays history.")
-        .arg(sentences::sentenceOf(outcome.unreadable));
-  if (outcome.between == Between::Somebody) {
-    sentences << Text::tr(
-                     "Somebody else changed the overlays between the look and the request: their version "
-                     "went from %1 to %2.")
-                     .arg(version(outcome.version_before), version(outcome.version));
-    if (outcome.differs.empty())
-      sentences << Text::tr("What the others changed was overwritten, and cannot be seen any more.");
-  } else if (outcome.between == Between::Unknown) {
-    sentences << Text::tr(
-        "The robot does not count the versions of its overlays, so somebody else may have changed them "
-        "meanwhile.");
-  }
-  if (!outcome.differs.empty())
-    sentences << Text::tr("The robot holds something else than was sent (%1).")
-                     .arg(featuresCalled(outcome.differs));
-  if (!outcome.differs.empty() && outcome.version && outcome.version == outcome.version_before)
-    sentences << Text::tr("It counts no change yet, and may still make it: look again in a moment.");
-  return sentences.join(QLatin1Char(' '));
+QJsonObject outcomeJson(const jobs::OverlayOutcome& outcome, map::Applied applied) {
+  return {
+      {QStringLiteral("changes"), changesJson(outcome.merge.mine)},
+      {QStringLiteral("theirs"), qint64(outcome.merge.theirs.size())},
+      {QStringLiteral("conflicts"), conflictsJson(outcome.merge.conflicts)},
+      {QStringLiteral("applied"), appliedJson(applied)},
+      {QStringLiteral("version"), outcome.held.version ? QJsonValue(*outcome.held.version) : QJsonValue()}};
 }
 
 /// What is told of a change that failed: which it was, and whether it may have been made.
 QJsonObject failureJson(const jobs::OverlayOrder& order, const map::Failure& failure) {
   jobs::OverlayOutcome outcome;
   if (order.base) outcome.merge.mine = overlays::changesBetween(*order.base, order.mine);
-  QJsonObject json = outcomeJson(outcome, order.send);
-  const bool change = map::changes(failure.asked_for);
-  json[QStringLiteral("applied")] = !change || failure.applied == map::Applied::No ? QJsonValue(false)
-                                    : failure.applied == map::Applied::Yes         ? QJsonValue(true)
-                                                                                   : QJsonValue();
-  return json;
+  return outcomeJson(outcome, map::changes(failure.asked_for) ? failure.applied : map::Applied::No);
 }
 
 /// Carries it out on the map of the options, and tells what came of it.
@@ -216,7 +177,8 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
       of->robot->ask<jobs::OverlayOutcome>([&](robot::OutcomeTo<jobs::OverlayOutcome> reply) {
         return jobs::changeOverlays(*of->store, order, std::move(reply));
       });
-  const QJsonObject json = outcome ? outcomeJson(*outcome, order.send) : failureJson(order, outcome.error());
+  const QJsonObject json = outcome ? outcomeJson(*outcome, order.send ? outcome->applied() : map::Applied::No)
+                                   : failureJson(order, outcome.error());
   command.report(QStringLiteral("overlays"), json);
   const QString output = text(args.output);
   if (!output.isEmpty()) {
@@ -227,7 +189,7 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
   if (!outcome) return failureOf(*of, outcome.error());
   const bool quiet = args.json || isStandardOutput(output) || isStandardOutput(text(args.report));
   if (!quiet) {
-    const auto held = OverlayDocument::read(outcome->before);
+    const auto held = OverlayDocument::read(outcome->before.text);
     printChanges(outcome->merge.mine, order.base ? *order.base : held.value_or(OverlayDocument()),
                  order.mine);
     printConflicts(outcome->merge.conflicts);
@@ -246,16 +208,19 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
         Text::tr("Nothing was sent: this deletes %1 of the %2 features on the robot. Pass --yes to do it.")
             .arg(outcome->deletes)
             .arg(outcome->deletes + outcome->keeps));
-  if (const QString doubt = outcome->certain() ? QString() : doubtOf(*outcome); !doubt.isEmpty())
+  if (QString doubt = jobs::doubtOf(*outcome); !doubt.isEmpty()) {
+    if (outcome->unreadable.any())
+      doubt += QLatin1Char(' ') + Text::tr("Earlier versions are in mapwright overlays history.");
     return of->robot->failure(kIncomplete, doubt);
+  }
   if (quiet) return kDone;
   if (outcome->merge.mine.empty() || (order.send && !outcome->sent)) {
     printLine(outcome->merge.mine.empty() ? Text::tr("Nothing to change.")
                                           : Text::tr("The robot holds this already."));
   } else if (order.send) {
     printLine(of->robot->local() ? Text::tr("Stored in the file, and read back.")
-              : outcome->version
-                  ? Text::tr("Stored on the robot as version %1, and read back.").arg(*outcome->version)
+              : outcome->held.version
+                  ? Text::tr("Stored on the robot as version %1, and read back.").arg(*outcome->held.version)
                   : Text::tr("Stored on the robot, and read back."));
   }
   return kDone;

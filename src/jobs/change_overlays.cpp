@@ -4,7 +4,12 @@
 #include <memory>
 #include <utility>
 
+#include <QCoreApplication>
+#include <QStringList>
+
 #include "jobs/faults.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/overlay_sentence.h"
 
 namespace mapwright::jobs {
 namespace {
@@ -13,6 +18,10 @@ using overlays::OverlayChange;
 using overlays::OverlayDocument;
 using robot::Outcome;
 using robot::OverlayText;
+
+class OverlaysText {
+  Q_DECLARE_TR_FUNCTIONS(ChangeOverlays)
+};
 
 map::Failure otherMap(const map::MapKey& key, const std::string& name) {
   return {.kind = map::FailureKind::Conflict,
@@ -29,14 +38,6 @@ map::Failure unreadable(const map::MapKey& key, Fault why) {
           .cause = {fault::OverlaysNotRead, {}, {std::move(why)}}};
 }
 
-/// Robots give an id to features that have none.
-bool onlyNewIds(const OverlayChange& change) {
-  if (change.kind != overlays::ChangeKind::Change) return false;
-  return std::all_of(change.parts.begin(), change.parts.end(), [](const overlays::PartChange& part) {
-    return !part.before && part.part.name == "id" && part.part.of != overlays::Part::Of::Whole;
-  });
-}
-
 /// The steps of one order, one request after the other.
 class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
  public:
@@ -48,9 +49,16 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     state_->cancel = [weak = weak_from_this()] {
       if (const auto self = weak.lock()) self->under_way_.cancel();
     };
-    under_way_ = store_.read(
-        order_.map, [self = shared_from_this()](Outcome<OverlayText> now) { self->look(std::move(now)); });
-    return robot::Call(state_);
+    const robot::Call call(state_);
+    if (order_.held) {
+      look(*order_.held);
+    } else {
+      read([](OverlayChanging& self, Outcome<OverlayText> now) {
+        if (now) self.tell(*now, false);
+        self.look(std::move(now));
+      });
+    }
+    return call;
   }
 
  private:
@@ -59,16 +67,25 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     reply_(std::move(outcome));
   }
 
+  template <typename Take>
+  void read(Take take) {
+    under_way_ = store_.read(order_.map, [self = shared_from_this(), take](Outcome<OverlayText> now) {
+      take(*self, std::move(now));
+    });
+  }
+
+  void tell(const OverlayText& held, bool saved) {
+    if (order_.seen) order_.seen(held, saved);
+  }
+
   void look(Outcome<OverlayText> now) {
     if (!now) return end(robot::fail(std::move(now.error())));
-    if (order_.seen) order_.seen(*now, false);
     if (!order_.only_uid.empty() && !now->map_uid.empty() && order_.only_uid != now->map_uid)
       return end(robot::fail(otherMap(order_.map, now->map_name)));
     auto theirs = OverlayDocument::read(now->text);
     if (!theirs && order_.base) return end(robot::fail(unreadable(order_.map, theirs.error())));
     const OverlayDocument held = theirs ? std::move(*theirs) : OverlayDocument();
-    outcome_.before = std::move(now->text);
-    outcome_.version_before = outcome_.version = now->version;
+    outcome_.before = outcome_.held = std::move(*now);
     if (order_.base) {
       outcome_.merge = overlays::merge(*order_.base, order_.mine, held);
     } else {
@@ -82,47 +99,61 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     outcome_.held_back = order_.send && !order_.may_empty && outcome_.deletes > outcome_.keeps;
     if (outcome_.held_back) return end(std::move(outcome_));
     const std::string text = outcome_.merge.document.text();
-    if (!order_.send || !outcome_.merge.conflicts.empty() || text == outcome_.before)
+    if (!order_.send || !outcome_.merge.conflicts.empty() || text == outcome_.before.text)
       return end(std::move(outcome_));
     outcome_.sent = true;
-    under_way_ = store_.write(order_.map, text, [self = shared_from_this()](Outcome<OverlayText> stored) {
-      self->compare(std::move(stored));
+    under_way_ = store_.write(order_.map, text, [self = shared_from_this()](Outcome<std::monostate> answer) {
+      self->lookAgain(answer ? std::nullopt : std::optional(std::move(answer.error())));
     });
   }
 
-  /// A refusal is not believed either: what the robot holds counts.
-  void lookAfterRefusal(const map::Failure& failure) {
-    under_way_ = store_.read(order_.map, [self = shared_from_this(), failure](Outcome<OverlayText> now) {
-      const bool changed = !now || now->text != self->outcome_.before;
-      const auto held = now ? OverlayDocument::read(now->text) : OverlayDocument();
-      if (now && changed && held && otherwiseHeld(self->outcome_.merge.document, *held).empty())
-        return self->compare(std::move(now));
-      map::Failure refused = failure;
-      // What it holds is neither: was it this change? A conflict says that it was somebody else's.
-      if (changed && failure.kind != map::FailureKind::Conflict) refused.applied = map::Applied::Maybe;
-      self->end(robot::fail(std::move(refused)));
-    });
-  }
-
-  void compare(Outcome<OverlayText> stored) {
-    if (!stored) {
-      using map::FailureKind;
-      const FailureKind kind = stored.error().kind;
+  /// No answer is believed, neither a yes nor a no, and one may be lost: what the robot holds counts.
+  void lookAgain(const std::optional<map::Failure>& failed) {
+    using map::FailureKind;
+    if (failed) {
+      const FailureKind kind = failed->kind;
       const bool refused = kind == FailureKind::RejectedByRobot || kind == FailureKind::Refused ||
                            kind == FailureKind::Conflict;
-      return refused ? lookAfterRefusal(stored.error()) : end(robot::fail(std::move(stored.error())));
+      const bool never_sent = failed->applied == map::Applied::No && !refused;
+      if (never_sent || kind == FailureKind::Cancelled) return end(robot::fail(*failed));
     }
-    if (order_.seen) order_.seen(*stored, true);
-    const auto now = OverlayDocument::read(stored->text);
-    outcome_.version = stored->version;
+    read([failed](OverlayChanging& self, Outcome<OverlayText> now) {
+      failed ? self.judge(*failed, std::move(now)) : self.compare(std::move(now));
+    });
+  }
+
+  void judge(map::Failure failed, Outcome<OverlayText> now) {
+    const bool changed = !now || now->text != outcome_.before.text;
+    const auto held = now ? OverlayDocument::read(now->text) : OverlayDocument();
+    if (now && changed && held && otherwiseHeld(outcome_.merge.document, *held).empty())
+      return compare(std::move(now));
+    if (now) tell(*now, false);
+    // That it holds what it held is no proof after a lost answer: it may come yet. What it holds is neither:
+    // was it this change? A conflict says that it was somebody else's.
+    const bool may = failed.applied != map::Applied::No;
+    if (may || (changed && failed.kind != map::FailureKind::Conflict)) failed.applied = map::Applied::Maybe;
+    end(robot::fail(std::move(failed)));
+  }
+
+  void compare(Outcome<OverlayText> now) {
     if (!now) {
-      outcome_.unreadable = now.error();
+      // It said that it did it; nobody knows.
+      now.error().kind = map::FailureKind::Unreachable;
+      now.error().asked_for = map::AskedFor::Change;
+      now.error().applied = map::Applied::Maybe;
+      return end(robot::fail(std::move(now.error())));
+    }
+    tell(*now, true);
+    const auto held = OverlayDocument::read(now->text);
+    outcome_.held = std::move(*now);
+    if (!held) {
+      outcome_.unreadable = held.error();
       return end(std::move(outcome_));
     }
-    outcome_.differs = otherwiseHeld(outcome_.merge.document, *now);
+    outcome_.differs = otherwiseHeld(outcome_.merge.document, *held);
     using Between = OverlayOutcome::Between;
-    const bool told = stored->version && outcome_.version_before;
-    const int steps = told ? *stored->version - *outcome_.version_before : 0;
+    const bool told = outcome_.held.version && outcome_.before.version;
+    const int steps = told ? *outcome_.held.version - *outcome_.before.version : 0;
     outcome_.between = steps == 1                          ? Between::None
                        : steps > 1                         ? Between::Somebody
                        : told && !outcome_.differs.empty() ? Between::None  // it did nothing
@@ -142,8 +173,47 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
 
 std::vector<OverlayChange> otherwiseHeld(const OverlayDocument& sent, const OverlayDocument& held) {
   std::vector<OverlayChange> differs = overlays::changesBetween(sent, held);
-  std::erase_if(differs, onlyNewIds);
+  std::erase_if(differs, [](const OverlayChange& change) {
+    return change.kind == overlays::ChangeKind::Change && overlays::onlyNewId(change.parts);
+  });
   return differs;
+}
+
+map::Applied OverlayOutcome::applied() const {
+  if (!merge.conflicts.empty() || held_back) return map::Applied::No;
+  if (unreadable.any()) return map::Applied::Maybe;
+  if (!sent || differs.empty()) return map::Applied::Yes;
+  return held.version && held.version == before.version ? map::Applied::No : map::Applied::Maybe;
+}
+
+QString doubtOf(const OverlayOutcome& outcome) {
+  using Between = OverlayOutcome::Between;
+  if (outcome.certain()) return {};
+  if (outcome.unreadable.any())
+    return OverlaysText::tr("The overlays were sent, but what the robot holds now cannot be read. %1")
+        .arg(sentences::sentenceOf(outcome.unreadable));
+  QStringList sentences;
+  if (outcome.between == Between::Somebody) {
+    sentences << OverlaysText::tr(
+                     "Somebody else changed the overlays between the look and the request: their version "
+                     "went from %1 to %2.")
+                     .arg(*outcome.before.version)
+                     .arg(*outcome.held.version);
+    if (outcome.differs.empty())
+      sentences << OverlaysText::tr("What the others changed was overwritten, and cannot be seen any more.");
+  } else if (outcome.between == Between::Unknown) {
+    sentences << OverlaysText::tr(
+        "The robot does not count the versions of its overlays, so somebody else may have changed them "
+        "meanwhile.");
+  }
+  if (!outcome.differs.empty()) {
+    sentences << OverlaysText::tr("The robot holds something else than was sent (%1).")
+                     .arg(sentences::featuresCalled(outcome.differs));
+    if (outcome.held.version && outcome.held.version == outcome.before.version)
+      sentences << OverlaysText::tr(
+          "It counts no change yet, and may still make it: look again in a moment.");
+  }
+  return sentences.join(QLatin1Char(' '));
 }
 
 robot::Call changeOverlays(robot::OverlayStore& store, OverlayOrder order,

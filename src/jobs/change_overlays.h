@@ -1,10 +1,13 @@
-// Changes the overlays of a map on a robot: looks at what it holds now, merges, sends all of it once, reads
-// it back.
+// Changes the overlays of a map on a robot: looks at what it holds now, merges, sends all of it once, and
+// looks again, whatever the robot answered and also where the answer is lost. The window and the commands
+// save so.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+
+#include <QString>
 
 #include "overlays/overlay_merge.h"
 #include "robot/overlay_store.h"
@@ -20,7 +23,10 @@ struct OverlayOrder {
   bool send = true;           // false: only looks and merges
   bool may_empty = true;      // false: nothing is sent that deletes more features than it keeps
   std::string only_uid = {};  // not empty: nothing is sent to a map with another uid
-  /// Gets what the robot held, and what it holds after a change (`saved`); may be empty.
+  /// What the robot holds, if that is known: it is not asked before, and the reply may come at once.
+  std::optional<robot::OverlayText> held = {};
+  /// Gets what the robot turns out to hold, each time that it was asked (`saved`: with the change); may be
+  /// empty.
   std::function<void(const robot::OverlayText&, bool saved)> seen = {};
 };
 
@@ -31,8 +37,7 @@ struct OverlayOutcome {
   /// How many features of the robot go and stay; `held_back`: that is why nothing was sent.
   std::size_t deletes = 0, keeps = 0;
   bool held_back = false;
-  std::optional<int> version_before, version;  // of the robot
-  std::string before;                          // what the robot held, to the byte
+  robot::OverlayText before, held;  // what the robot held, and holds as far as known, to the byte
 
   // After sending:
   /// What differs between what was sent and what the robot holds now.
@@ -47,14 +52,19 @@ struct OverlayOutcome {
 
   /// It holds what was sent, and nobody came between.
   bool certain() const { return !sent || (differs.empty() && between == Between::None && !unreadable.any()); }
+  /// Whether it holds what was wanted.
+  map::Applied applied() const;
 };
+
+/// Why it is not certain, in words; empty: it is.
+QString doubtOf(const OverlayOutcome& outcome);
 
 /// What the robot holds otherwise than it was sent, besides the ids that it gives to features without one.
 std::vector<overlays::OverlayChange> otherwiseHeld(const overlays::OverlayDocument& sent,
                                                    const overlays::OverlayDocument& held);
 
-/// The error of an unreadable answer of the robot is MalformedAnswer. No result if the store is destroyed
-/// first.
+/// The error of an unreadable answer of the robot is MalformedAnswer; `applied` says whether the change may
+/// have been made all the same. No result if the store is destroyed first.
 robot::Call changeOverlays(robot::OverlayStore& store, OverlayOrder order,
                            robot::OutcomeTo<OverlayOutcome> reply);
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "map/catalogue.h"
 #include "robot/call.h"
@@ -26,10 +27,10 @@ class OverlayStore {
   virtual ~OverlayStore() = default;
   /// Of a stored map, of a map file, or of the one that the robot is in (MapKind::Live).
   virtual Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) = 0;
-  /// Replaces all of them with one request, which is not sent twice. The answer is what the robot holds
-  /// afterwards: compare it. Whoever changed them since they were read is overwritten, so read them just
-  /// before.
-  virtual Call write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) = 0;
+  /// Replaces all of them with one request, which is not sent twice. Whoever changed them since they were
+  /// read is overwritten, so read them just before; and what the robot answers is no proof, so read them
+  /// afterwards (jobs/change_overlays.h does both).
+  virtual Call write(const map::MapKey& key, const std::string& text, OutcomeTo<std::monostate> reply) = 0;
   /// Null: this robot sees nothing that could become an overlay.
   virtual SightingSource* sightings() { return nullptr; }
 };

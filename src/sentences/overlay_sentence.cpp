@@ -136,6 +136,23 @@ QString featuresText(qsizetype count) {
   return counted(OverlayText::tr("%1 features", nullptr, formOf(count)), count);
 }
 
+QString featureCalled(const std::string& id, const std::string& name) {
+  return words::plainName(name.empty() ? id.empty() ? OverlayText::tr("(no id)").toStdString() : id : name);
+}
+
+QString featuresCalled(const std::vector<overlays::OverlayChange>& changes) {
+  constexpr qsizetype kMost = 5;
+  QStringList names;
+  for (const overlays::OverlayChange& change : changes) {
+    if (names.size() == kMost) {
+      names << QStringLiteral("…");
+      break;
+    }
+    names << (change.collection ? OverlayText::tr("the collection") : featureCalled(change.id, change.name));
+  }
+  return names.join(QStringLiteral(", "));
+}
+
 QString overlayChangesText(qsizetype count) {
   return counted(OverlayText::tr("%1 changes", nullptr, formOf(count)), count);
 }

@@ -17,6 +17,10 @@ QString overlayName(const overlays::Feature& feature);
 QString overlayCalled(const overlays::Feature& feature);
 /// "1 feature", "1,204 features".
 QString featuresText(qsizetype count);
+/// What people call a feature where only this is known: its name, else its id.
+QString featureCalled(const std::string& id, const std::string& name);
+/// A few of them, separated by commas.
+QString featuresCalled(const std::vector<overlays::OverlayChange>& changes);
 /// "3 changes".
 QString overlayChangesText(qsizetype count);
 

@@ -74,6 +74,12 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(done[QStringLiteral("changes")].toArray().size(), 1);
     QCOMPARE(done[QStringLiteral("changes")][0][QStringLiteral("kind")].toString(), QStringLiteral("change"));
     QCOMPARE(done[QStringLiteral("version")].toInt(), 6);
+    QStringList asked;
+    for (const auto& record : robot_->requestLog()) {
+      if (record.target == "/maps/1") asked << QString::fromStdString(record.method);
+    }
+    asked = asked.mid(asked.indexOf(QStringLiteral("PATCH")) - 1);
+    QCOMPARE(asked, (QStringList{QStringLiteral("GET"), QStringLiteral("PATCH"), QStringLiteral("GET")}));
     QCOMPARE(held(), program_->bytes("mine.geojson"));
     QCOMPARE(changes(), 1);
     const Ended nothing = run("set mine.geojson --base base.geojson");
@@ -140,6 +146,7 @@ class OverlaysCommandTest : public QObject {
                    refused.err.contains(QStringLiteral("Pass --yes")),
                qPrintable(refused.err));
     }
+    QCOMPARE(run("set - --replace --json", none).object()[QStringLiteral("applied")], QJsonValue(false));
     QCOMPARE(changes(), 0);
     QCOMPARE(run("set - --base base.geojson --dry-run", none).code, 0);
     QCOMPARE(run("set - --base base.geojson --yes", none).code, 0);

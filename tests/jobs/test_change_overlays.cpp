@@ -31,9 +31,12 @@ class Store : public robot::OverlayStore {
     return {};
   }
   robot::Call write(const map::MapKey&, const std::string& text,
-                    robot::OutcomeTo<OverlayText> reply) override {
+                    robot::OutcomeTo<std::monostate> reply) override {
     sent.push_back(text);
-    reply(stores(text));
+    auto kept = stores(text);
+    if (!kept) return reply(robot::fail(kept.error())), robot::Call();
+    held = *kept;
+    reply(std::monostate());
     return {};
   }
 
@@ -69,7 +72,8 @@ class TestChangeOverlays : public QObject {
     const auto outcome = change(store, features(R"({"id":"w","geometry":null})"), features(kWall));
     QVERIFY(outcome && outcome->sent && outcome->certain());
     QCOMPARE(store.sent, std::vector<std::string>{features(R"({"id":"w","geometry":null} , )" + kPoint)});
-    QCOMPARE(outcome->version, std::optional(6));
+    QCOMPARE(outcome->held.version, std::optional(6));
+    QCOMPARE(store.reads, 2);  // before and after
     QCOMPARE(outcome->merge.mine.size(), std::size_t(1));
     QCOMPARE(outcome->merge.theirs.size(), std::size_t(1));
   }
@@ -112,6 +116,7 @@ class TestChangeOverlays : public QObject {
     };
     const auto overwritten = change(store, features(kPoint), features(kWall));
     QVERIFY(overwritten && overwritten->between == Between::Somebody && overwritten->differs.empty());
+    store.held = {features(kWall), 5, "uid", "Hall"};
     store.stores = [&](const std::string&) -> Outcome<OverlayText> {
       return OverlayText{features(kPoint + "," + kWall), 7, {}, {}};
     };
@@ -139,7 +144,7 @@ class TestChangeOverlays : public QObject {
     };
     const auto cut = change(store, features(kPoint), features(kWall));
     QVERIFY(cut && cut->sent && cut->unreadable.any() && !cut->certain());
-    QCOMPARE(cut->version, std::optional(6));
+    QCOMPARE(cut->held.version, std::optional(6));
   }
 
   void aVersionIsNotPutIntoAnotherMap() {
@@ -181,8 +186,60 @@ class TestChangeOverlays : public QObject {
       QCOMPARE(other.error().applied == map::Applied::Maybe, kind != map::FailureKind::Conflict);
       store.held = {features(kWall), 5, "uid", "Hall"};
       const auto done = refuses("all");
-      QVERIFY(done && done->certain() && done->version == 6);
+      QVERIFY(done && done->certain() && done->held.version == 6);
     }
+  }
+
+  void whatIsKnownIsNotAskedFor() {
+    Store store;
+    std::optional<Outcome<jobs::OverlayOutcome>> outcome;
+    jobs::OverlayOrder order{
+        {map::MapKind::Stored, "1"}, document(features(kPoint)), document(features(kWall))};
+    order.held = store.held;
+    int told = 0;
+    order.seen = [&](const OverlayText& text, bool saved) {
+      ++told;
+      QVERIFY(saved && text.text == features(kPoint));
+    };
+    jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
+    QVERIFY(outcome && *outcome && (*outcome)->certain());
+    QCOMPARE(store.reads, 1);
+    QCOMPARE(told, 1);
+  }
+
+  void aLostAnswerIsLookedFor() {
+    for (const bool done : {true, false}) {
+      Store store;
+      store.stores = [&](const std::string& text) -> Outcome<OverlayText> {
+        // The robot gave it an id, and counted.
+        if (done) store.held = {text.substr(0, text.size() - 3) + R"(,"id":7}]})", 6, "uid", "Hall"};
+        return robot::fail(map::Failure{.kind = map::FailureKind::TimedOut, .applied = map::Applied::Maybe});
+      };
+      const auto outcome = change(store, features(R"({"name":"A"})"), features(kWall));
+      QCOMPARE(outcome.has_value(), done);
+      QCOMPARE(store.reads, 2);
+      if (done) QVERIFY(outcome->certain() && outcome->applied() == map::Applied::Yes);
+      if (!done) QVERIFY(outcome.error().applied == map::Applied::Maybe);
+    }
+  }
+
+  void whatNeverLeftIsNotLookedFor() {
+    Store store;
+    store.stores = [&](const std::string&) -> Outcome<OverlayText> {
+      return robot::fail(map::Failure{.kind = map::FailureKind::Unreachable});
+    };
+    const auto outcome = change(store, features(kPoint), features(kWall));
+    QVERIFY(!outcome && outcome.error().applied == map::Applied::No);
+    QCOMPARE(store.reads, 1);
+  }
+
+  void whatIsHeldBackIsNotApplied() {
+    Store store;
+    std::optional<Outcome<jobs::OverlayOutcome>> outcome;
+    jobs::OverlayOrder order{{map::MapKind::Stored, "1"}, document(features("")), document(features(kWall))};
+    order.may_empty = false;
+    jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
+    QVERIFY(outcome && *outcome && (*outcome)->held_back && (*outcome)->applied() == map::Applied::No);
   }
 
   void aRefusalComesThrough() {

@@ -60,7 +60,7 @@ struct Desk {
   bool hand(const std::string& text) {
     std::optional<bool> done;
     other->overlayStore()->write(
-        {map::MapKind::Stored, "1"}, text, [&](robot::Outcome<robot::OverlayText> outcome) {
+        {map::MapKind::Stored, "1"}, text, [&](robot::Outcome<std::monostate> outcome) {
           done = bool(outcome);
           if (!outcome) qWarning("not written: %s", sentences::sentenceOf(outcome.error()).c_str());
         });

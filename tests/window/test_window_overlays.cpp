@@ -111,6 +111,28 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), std::string(kOverlays));
   }
 
+  /// Where the robot tells the version of its overlays, it is asked before the review and after the change.
+  void savingAsksTheRobotTwice() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    const auto told = [&] {
+      const auto& info = desk.window->session()->live().map_info;
+      return info ? info->overlays_version.value_or(0) : 0;
+    };
+    QTRY_VERIFY(told() > 0);
+    const int before = told();
+    desk.sim.clearRequestLog();
+    desk.save();
+    QVERIFY(desk.says("saved") && !desk.control().unsaved());
+    QTRY_COMPARE(told(), before + 1);
+    QStringList asked;
+    for (const auto& request : desk.sim.requestLog()) {
+      if (request.target == "/maps/1") asked << QString::fromStdString(request.method);
+    }
+    QCOMPARE(asked, (QStringList{QStringLiteral("GET"), QStringLiteral("PATCH"), QStringLiteral("GET")}));
+  }
+
   void verticesAreDraggedInsertedAndDeleted() {
     Desk desk;
     desk.open();

@@ -46,7 +46,8 @@ void OverlaysController::addHistory() {
 
 history::MapName OverlaysController::openMap() const {
   return history::mapName(session_ ? session_->robot().address().toStdString() : std::string(),
-                          map::toText(target_->map), uid_.empty() ? target_->uid : uid_, name_);
+                          map::toText(target_->map), held_.map_uid.empty() ? target_->uid : held_.map_uid,
+                          held_.map_name);
 }
 
 void OverlaysController::bringBack(const overlays::OverlayDocument& version, const QString& called) {

@@ -148,7 +148,7 @@ void OverlaysController::setSession(session::Session* session) {
       if (what != map::topicIndex<map::MapInfo>()) return;
       syncMap();
       const auto& info = session_->live().map_info;
-      const bool other = info && (!info->overlays_version || info->overlays_version != version_);
+      const bool other = info && (!info->overlays_version || info->overlays_version != held_.version);
       if (editing_.isOpen() && target_ && target_->robots && other && !busy_) read();
     });
   }
@@ -232,9 +232,7 @@ void OverlaysController::closeMap() {
   call_.cancel();
   reading_ = read_again_ = busy_ = doubt_ = false;
   failure_.reset();
-  version_.reset();
-  uid_.clear();
-  name_.clear();
+  held_ = {};
   trouble_.clear();
   stay();
   if (review_) review_->close();
@@ -255,38 +253,31 @@ void OverlaysController::read() {
   call_ = store->read(target_->map, [this, opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
     if (opened != opened_) return;
     reading_ = false;
-    takeRead(std::move(outcome));
+    // While something is being saved it is older than that.
+    if (outcome && !busy_) takeHeld(*outcome, false);
+    if (!outcome && !busy_) failure_ = outcome.error();
+    refresh();
     if (std::exchange(read_again_, false)) read();
   });
   refresh();
 }
 
-void OverlaysController::keep(const robot::OverlayText& text, bool saved) {
+void OverlaysController::takeHeld(const robot::OverlayText& text, bool saved) {
   if (!session_ || !target_) return;
-  uid_ = text.map_uid;
-  name_ = text.map_name;
+  held_ = text;
   history_.keep(openMap(), text.version, saved ? history::Origin::Saved : history::Origin::Read, text.text,
                 double(context_.edit.now().toMSecsSinceEpoch()) / 1000);
-}
-
-void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
-  if (outcome) keep(*outcome, false);
-  if (busy_) return refresh();  // older than what is being saved
-  if (!outcome) {
-    failure_ = outcome.error();
-    return refresh();
-  }
-  auto held = OverlayDocument::read(outcome->text);
+  auto held = OverlayDocument::read(text.text);
   if (!held) {
     trouble_ = tr("The overlays of this map cannot be read. %1").arg(sentences::sentenceOf(held.error()));
     failure_ =
         map::Failure{.kind = map::FailureKind::MalformedAnswer, .subject = map::subjectOf(target_->map)};
-    return refresh();
+    return;
   }
   trouble_.clear();
-  version_ = outcome->version;
+  failure_.reset();
   if (editing_.isOpen()) {
-    takeHeld(*held);
+    rebase(*held);
   } else {
     editing_.open(std::move(*held));
     if (ofFile()) context_.panels.open(dock_);
@@ -295,15 +286,14 @@ void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
   if (review_) reviewAnew();
   if (std::exchange(doubt_, false))
     unsaved() ? notSaved(tr("The overlays were not saved: the robot does not hold them.")) : tellHeld();
-  refresh();
 }
 
-void OverlaysController::takeHeld(const OverlayDocument& held) {
+void OverlaysController::rebase(const OverlayDocument& held) {
   const auto& document = editing_.document();
   if (held.text() == document.base().text()) return;
   const std::size_t before = document.changedThere().size();
-  // What was not known to be saved turns out to be.
-  if (document.unsaved() && overlays::changesBetween(document.mine(), held).empty()) editing_.noteSaved();
+  // What was sent is there, or what was not known to be saved turns out to be.
+  if (document.unsaved() && jobs::otherwiseHeld(document.mine(), held).empty()) editing_.noteSaved();
   editing_.rebase(held);
   const std::size_t now = document.changedThere().size();
   if (now > before)
@@ -342,34 +332,37 @@ void OverlaysController::save() {
   if (busy_ || !unsaved() || !session_ || !target_) return;
   if (review_) return review_->raise();
   if (!editing_.document().conflicts().empty()) return askToDecide();
-  look();
+  carryOut(false);
 }
 
-void OverlaysController::look() {
-  robot::OverlayStore* const store = session_->robot().overlayStore();
+void OverlaysController::carryOut(bool send) {
+  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
   if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
   trouble_.clear();
   setBusy(true);
-  call_ = store->read(target_->map, [this, opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
-    if (opened != opened_) return;
-    setBusy(false);
-    if (!outcome) {
-      notSaved(tr("The overlays were not saved. %1")
-                   .arg(QString::fromStdString(sentences::whyOf(outcome.error()))));
-      return refresh();
-    }
-    takeRead(std::move(outcome));
-    if (failure_) {
-      notSaved(tr("The overlays were not saved. %1").arg(trouble_));
-      refresh();
-    } else if (!editing_.document().conflicts().empty()) {
-      askToDecide();
-    } else if (unsaved()) {
-      showReview();
-    } else {
-      onAllSaved();
-    }
-  });
+  jobs::OverlayOrder order{target_->map, editing_.document().mine(), editing_.document().base(), send};
+  if (send && isStillHeld()) order.held = held_;
+  order.seen = [this, opened = opened_](const robot::OverlayText& text, bool saved) {
+    if (opened == opened_) takeHeld(text, saved);
+  };
+  call_ = jobs::changeOverlays(
+      *store, std::move(order),
+      [this, send, opened = opened_](const robot::Outcome<jobs::OverlayOutcome>& outcome) {
+        if (opened != opened_) return;
+        setBusy(false);
+        takeOutcome(outcome, send);
+        refresh();
+        // What others did meanwhile was told while nobody listened.
+        const auto& info = session_ ? session_->live().map_info : std::nullopt;
+        if (target_ && target_->robots && info && held_.version && info->overlays_version > held_.version)
+          read();
+      });
+}
+
+bool OverlaysController::isStillHeld() const {
+  const auto& info = session_->live().map_info;
+  return online_ && target_->robots && info && info->overlays_version &&
+         info->overlays_version == held_.version && info->uid == held_.map_uid;
 }
 
 QStringList OverlaysController::changesToSave() const {
@@ -389,8 +382,13 @@ void OverlaysController::showReview() {
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
     review_ = nullptr;
     if (opened != opened_) return;
-    if (result == QDialog::Accepted) return send();
-    stay();
+    if (result != QDialog::Accepted) {
+      stay();
+    } else if (!editing_.document().conflicts().empty()) {
+      askToDecide();
+    } else {
+      carryOut(true);
+    }
   });
   review_->open();
 }
@@ -404,95 +402,29 @@ void OverlaysController::reviewAnew() {
   unsaved() ? showReview() : onAllSaved();
 }
 
-void OverlaysController::send() {
-  if (!editing_.document().conflicts().empty()) return askToDecide();
-  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
-  if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
-  setBusy(true);
-  jobs::OverlayOrder order{target_->map, editing_.document().mine(), editing_.document().base()};
-  order.seen = [this, opened = opened_](const robot::OverlayText& text, bool saved) {
-    if (opened == opened_) keep(text, saved);
-  };
-  call_ = jobs::changeOverlays(*store, std::move(order),
-                               [this, opened = opened_](robot::Outcome<jobs::OverlayOutcome> outcome) {
-                                 if (opened == opened_) takeOutcome(std::move(outcome));
-                               });
-}
-
-void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcome) {
+void OverlaysController::takeOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent) {
   if (!outcome) {
-    const QString why = QString::fromStdString(sentences::whyOf(outcome.error()));
-    if (outcome.error().applied == map::Applied::No) {
-      setBusy(false);
-      notSaved(tr("The overlays were not saved. %1").arg(why));
-      return refresh();
-    }
-    return readBack([this, why] {
-      doubt_ = unsaved();
-      if (doubt_) return notSaved(tr("It is not known whether the overlays were saved. %1").arg(why));
-      tellHeld();
-    });
+    const QString why =
+        trouble_.isEmpty() ? QString::fromStdString(sentences::whyOf(outcome.error())) : trouble_;
+    doubt_ = doubt_ || outcome.error().applied != map::Applied::No;
+    return notSaved(doubt_ ? tr("It is not known whether the overlays were saved. %1").arg(why)
+                           : tr("The overlays were not saved. %1").arg(why));
   }
-  // What they changed just before comes below, conflicts included.
-  if (const auto held = OverlayDocument::read(outcome->before); held && !outcome->merge.theirs.empty())
-    takeHeld(*held);
-  if (!outcome->sent) {
-    setBusy(false);
-    if (!editing_.document().conflicts().empty()) return askToDecide();
-    if (!unsaved()) context_.overlay.toasts()->add(Mark::Good, tr("The robot held these overlays already."));
-    return refresh();
-  }
-  // What it did not take stays unsaved.
-  if (outcome->differs.empty() && !outcome->unreadable.any()) editing_.noteSaved();
-  readBack([this, result = std::move(*outcome)] { tellOutcome(result); });
+  if (!editing_.document().conflicts().empty() && !outcome->sent) return askToDecide();
+  if (!sent && unsaved()) return showReview();
+  if (editing_.inFile() && outcome->sent) Q_EMIT fileWritten();
+  const QString doubt = jobs::doubtOf(*outcome);
+  if (!outcome->differs.empty()) return notSaved(tr("%1 They are still unsaved here.").arg(doubt));
+  if (outcome->unreadable.any()) return notSaved(doubt);
+  if (!outcome->sent) return tellHeld();
+  doubt.isEmpty() ? reportSaving(Mark::Good, tr("Overlays of %1 saved").arg(mapName()))
+                  : reportSaving(Mark::Warning, doubt);
+  unsaved() ? stay() : onAllSaved();
 }
 
 void OverlaysController::tellHeld() {
   reportSaving(Mark::Good, tr("The robot holds the overlays as they are here."));
   onAllSaved();
-}
-
-void OverlaysController::readBack(std::function<void()> then) {
-  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
-  if (!store) {
-    setBusy(false);
-    return then();
-  }
-  call_ = store->read(target_->map, [this, then = std::move(then),
-                                     opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
-    if (opened != opened_) return;
-    setBusy(false);
-    // Without an answer what is known stays.
-    if (outcome) takeRead(std::move(outcome));
-    then();
-    refresh();
-  });
-}
-
-void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
-  using Between = jobs::OverlayOutcome::Between;
-  if (editing_.inFile()) Q_EMIT fileWritten();
-  if (!outcome.differs.empty())
-    return notSaved(
-        tr("The robot did not keep all overlays as they were sent: %1. They are still unsaved here.")
-            .arg(overlayChangesText(qsizetype(outcome.differs.size()))));
-  trouble_.clear();
-  if (outcome.unreadable.any()) {
-    return notSaved(tr("The overlays were sent, but what the robot holds now cannot be read. %1")
-                        .arg(sentences::sentenceOf(outcome.unreadable)));
-  }
-  if (outcome.certain()) {
-    reportSaving(Mark::Good, tr("Overlays of %1 saved").arg(mapName()));
-  } else if (outcome.between == Between::Somebody) {
-    reportSaving(Mark::Warning,
-                 tr("The overlays were sent, and the robot holds them. Somebody else changed them at "
-                    "the same time: what they did may be lost."));
-  } else {
-    reportSaving(Mark::Warning,
-                 tr("The overlays were sent, and the robot holds them. It does not tell whether "
-                    "somebody else changed them at the same time."));
-  }
-  unsaved() ? stay() : onAllSaved();
 }
 
 void OverlaysController::takeChange() {

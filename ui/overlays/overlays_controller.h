@@ -77,7 +77,6 @@ class OverlaysController : public EditorController {
   void syncMap() override;
   void closeMap() override;
   void addActions();
-  void keep(const robot::OverlayText& text, bool saved);
   std::optional<Target> target() const;
   /// A file with overlays was opened: they are what it is about.
   bool ofFile() const;
@@ -85,17 +84,17 @@ class OverlaysController : public EditorController {
   bool broken() const { return failure_ && failure_->kind == map::FailureKind::MalformedAnswer; }
   bool wanted() const;
   void read();
-  void takeRead(robot::Outcome<robot::OverlayText> outcome);
-  /// What the robot holds now comes below what is here.
-  void takeHeld(const overlays::OverlayDocument& held);
-  void look();
+  /// What the robot holds now comes below what is here. `saved`: what was sent from here is in it.
+  void takeHeld(const robot::OverlayText& text, bool saved);
+  void rebase(const overlays::OverlayDocument& held);
+  /// Looks for the review, or sends what was reviewed.
+  void carryOut(bool send);
+  /// The robot tells that its overlays are those that were looked at. Of maps that it is not in it tells
+  /// nothing.
+  bool isStillHeld() const;
   void showReview();
-  void send();
-  void takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcome);
-  void tellOutcome(const jobs::OverlayOutcome& outcome);
-  /// Once more, after sending.
-  void readBack(std::function<void()> then);
-  /// What was sent and never answered turns out to be there.
+  void takeOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent);
+  /// Somebody else did the same, or what was sent and never answered turns out to be there.
   void tellHeld();
   void noteLink();
   void setBusy(bool busy);
@@ -141,10 +140,9 @@ class OverlaysController : public EditorController {
   std::optional<map::Failure> failure_;  // of the last reading
   bool doubt_ = false;                   // it is not known whether what was sent was applied
   bool online_ = false;
-  std::optional<int> version_;  // that was read last
-  std::string uid_, name_;      // of the map, as told then
-  QString trouble_;             // of saving
-  quint64 opened_ = 0;          // counts maps: results about earlier ones are ignored
+  robot::OverlayText held_;  // that was read last
+  QString trouble_;          // of saving
+  quint64 opened_ = 0;       // counts maps: results about earlier ones are ignored
   QPointer<OverlayReview> review_;
   bool checking_ = false, check_again_ = false;
   std::shared_ptr<const grids::GridPyramid> checked_cells_;  // of the map that was checked last

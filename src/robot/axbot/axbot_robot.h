@@ -110,7 +110,7 @@ class Overlays : public OverlayStore {
   Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) override {
     return overlays_.ask(map::subjectOf(key), std::move(reply), &OverlayRequests::read, key);
   }
-  Call write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) override {
+  Call write(const map::MapKey& key, const std::string& text, OutcomeTo<std::monostate> reply) override {
     return overlays_.change(map::subjectOf(key), overlays_.telling(changed_, std::move(reply)),
                             &OverlayRequests::write, key, text);
   }

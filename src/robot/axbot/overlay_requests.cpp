@@ -115,40 +115,17 @@ void OverlayRequests::readLive(const Task& task, OutcomeTo<OverlayText> reply) {
 }
 
 void OverlayRequests::write(const Task& task, const map::MapKey& key, const std::string& text,
-                            OutcomeTo<OverlayText> reply) {
+                            OutcomeTo<std::monostate> reply) {
   const auto address = addressOf(key);
   if (!address) return reply(fail(noStoredMap(key, map::AskedFor::Change)));
   const bool live = key.kind == map::MapKind::Live;
   net::HttpRequest request = server_.request(*address);
   request.method = live ? net::HttpMethod::Put : net::HttpMethod::Patch;
   request.body = QByteArray::fromStdString(live ? text : R"({"overlays":)" + json::quoted(text) + '}');
-  wire::send(task, server_.http, request,
-             [this, task, key, text, reply = std::move(reply)](const net::HttpAnswer& answer) {
-               takeWritten(task, key, text, answer, reply);
-             });
-}
-
-void OverlayRequests::takeWritten(const Task& task, const map::MapKey& key, const std::string& text,
-                                  const net::HttpAnswer& answer, OutcomeTo<OverlayText> reply) {
-  if (answer.ok()) {
+  wire::send(task, server_.http, request, [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+    if (!answer.ok()) return reply(fail(wire::failed(answer, map::subjectOf(key), map::AskedFor::Change)));
     if (auto refusal = refusalIn(answer, map::subjectOf(key))) return reply(fail(std::move(*refusal)));
-    return read(task, key, [reply](Outcome<OverlayText> now) {
-      if (now) return reply(std::move(now));
-      // It said that it did it; what it holds is what counts, and nobody knows that.
-      now.error().kind = map::FailureKind::Unreachable;
-      now.error().asked_for = map::AskedFor::Change;
-      now.error().applied = map::Applied::Maybe;
-      reply(std::move(now));
-    });
-  }
-  map::Failure failure = wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
-  if (failure.applied == map::Applied::No || failure.kind == map::FailureKind::Cancelled)
-    return reply(fail(failure));
-  failure.applied = map::Applied::Maybe;
-  // What the robot holds may replace the lost answer. That it does not hold it yet proves nothing.
-  read(task, key, [text, failure, reply](Outcome<OverlayText> now) {
-    if (now && now->text == text) return reply(std::move(now));
-    reply(fail(failure));
+    reply(std::monostate());
   });
 }
 

@@ -22,13 +22,12 @@ class OverlayRequests {
   explicit OverlayRequests(RobotServer server) : server_(std::move(server)) {}
 
   void read(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply);
-  void write(const Task& task, const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply);
+  void write(const Task& task, const map::MapKey& key, const std::string& text,
+             OutcomeTo<std::monostate> reply);
 
  private:
   void readStored(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply);
   void readLive(const Task& task, OutcomeTo<OverlayText> reply);
-  void takeWritten(const Task& task, const map::MapKey& key, const std::string& text,
-                   const net::HttpAnswer& answer, OutcomeTo<OverlayText> reply);
 
   const RobotServer server_;
 };

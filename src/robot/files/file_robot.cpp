@@ -52,7 +52,8 @@ Call FileOverlayStore::read(const map::MapKey& key, OutcomeTo<OverlayText> reply
   return files_.ask(map::subjectOf(key), std::move(reply), &OverlayFiles::read, key);
 }
 
-Call FileOverlayStore::write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) {
+Call FileOverlayStore::write(const map::MapKey& key, const std::string& text,
+                             OutcomeTo<std::monostate> reply) {
   return files_.change(map::subjectOf(key), std::move(reply), &OverlayFiles::write, key, text);
 }
 

@@ -52,7 +52,7 @@ class FileOverlayStore : public OverlayStore {
   explicit FileOverlayStore(OverlayFiles* files) : files_(files) {}
 
   Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) override;
-  Call write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) override;
+  Call write(const map::MapKey& key, const std::string& text, OutcomeTo<std::monostate> reply) override;
 
  private:
   wire::LinkRef<OverlayFiles> files_;

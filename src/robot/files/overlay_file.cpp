@@ -98,7 +98,7 @@ Outcome<OverlayText> OverlayFiles::read(const map::MapKey& key) {
   return note(*place, std::move(*text));
 }
 
-Outcome<OverlayText> OverlayFiles::write(const map::MapKey& key, const std::string& text) {
+Outcome<std::monostate> OverlayFiles::write(const map::MapKey& key, const std::string& text) {
   const auto place = placeOf(key);
   if (!place) return fail(place.error());
   const disk::FolderLock lock(QFileInfo(place->path).absolutePath().toStdString());
@@ -119,7 +119,8 @@ Outcome<OverlayText> OverlayFiles::write(const map::MapKey& key, const std::stri
     refused.applied = map::Applied::No;
     return fail(std::move(refused));
   }
-  return note(*place, text);
+  note(*place, text);
+  return std::monostate();
 }
 
 }  // namespace mapwright::robot::files

@@ -29,7 +29,7 @@ class OverlayFiles : public QObject {
   /// The versions are counted here: one more whenever the text is another one than it was.
   Outcome<OverlayText> read(const map::MapKey& key);
   /// A FailureKind::Conflict if the file is not what was read last.
-  Outcome<OverlayText> write(const map::MapKey& key, const std::string& text);
+  Outcome<std::monostate> write(const map::MapKey& key, const std::string& text);
 
  private:
   struct Known {
