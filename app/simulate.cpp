@@ -222,7 +222,7 @@ void SimulateOptions::addRosFaults(simulator::RosFaults& f) {
 void SimulateOptions::addDispatcher(simulator::DispatcherOptions& o) {
   group_ = tr("Map dispatcher (REP 130) of the ROS robot");
   flag("--dispatcher", o.there, tr("It exists, but nobody publishes the map as a topic"));
-  number("--dispatcher-edge", o.edge_m, 10.0, 2000.0,
+  number("--dispatcher-edge", o.edge_m, 10, 2000,
          tr("Edge length of its building in whole metres; 1000 gives "
             "20,000 x 20,000 cells and 40 million points"))
       ->type_name("INT")

@@ -51,13 +51,15 @@ Help helpFrom(const QString& text) {
   Help help{text, {}, {}};
   QString within;
   for (const QString& line : text.split(QLatin1Char('\n'))) {
-    static const QRegularExpression heading(QStringLiteral("^([A-Z][A-Za-z]+):$"));
+    static const QRegularExpression heading(QStringLiteral("^([A-Z][^:]+):$"));
+    static const QStringList other{QString(), QStringLiteral("Subcommands"), QStringLiteral("Positionals"),
+                                   QStringLiteral("Example"), QStringLiteral("Examples")};
     static const QRegularExpression row(QStringLiteral("^  (\\S+)(.*)$"));
     if (const auto match = heading.match(line); match.hasMatch()) within = match.captured(1);
     const auto match = row.match(line);
     const bool begins = match.hasMatch() && !line.startsWith(QLatin1String("   "));
     if (within == QLatin1String("Subcommands") && begins) help.subcommands << match.captured(1);
-    if (within != QLatin1String("Options")) continue;
+    if (other.contains(within)) continue;  // options may have groups with headings of their own
     if (begins) {
       Option option;
       option.names = match.captured(1).section(QLatin1Char('{'), 0, 0).split(QLatin1Char(','));
