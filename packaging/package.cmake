@@ -28,11 +28,15 @@ install(FILES ${packaging}/mapwright.bash
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME mapwright)
 install(FILES resources/mapwright.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${packaging}/copyright ${made}/NEWS.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# As in the sources, so that their links and pictures are there.
-install(FILES docs/window.md docs/command-line.md docs/maps-in-ci.md docs/same-bytes.md
-  docs/getting-started.md docs/simulator.md docs/json.md docs/files.md docs/troubleshooting.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
-install(DIRECTORY docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+# The pages of Help > Manual, as in the sources, so that their links and pictures are there.
+set(manual ${CMAKE_SOURCE_DIR}/docs/manual.qrc)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${manual})
+file(STRINGS ${manual} pages REGEX "<file>")
+foreach(page ${pages})
+  string(REGEX REPLACE ".*<file>(.*)</file>.*" "docs/\\1" page ${page})
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # CPack's own generator of Debian packages lists files in the order of the disk: other bytes on another machine.

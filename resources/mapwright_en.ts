@@ -595,6 +595,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::ManualWindow</name>
+    <message numerus="yes">
+        <source>%1 places</source>
+        <translation>
+            <numerusform>%1 place</numerusform>
+            <numerusform>%1 places</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::MapsDock</name>
     <message numerus="yes">
         <source>%1 maps</source>

@@ -6,6 +6,7 @@
 #include "ui/view/map_overlay.h"
 #include "window/command_palette.h"
 #include "window/diagnostics_dialog.h"
+#include "window/manual_window.h"
 #include "window/shortcut_sheet.h"
 
 namespace mapwright::window {
@@ -14,6 +15,13 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context) {
   QWidget* const window = &context.window;
   Actions& actions = context.actions;
+  actions.add({.id = "manual",
+               .text = tr("&Manual"),
+               .icon = "info",
+               .keys = {"F1"},
+               .tip = tr("How to do it: tasks, keys and commands, with a search"),
+               .menu = {MenuGroup::Finding, 5}},
+              this, &HelpController::showManual);
   actions.add({.id = "palette",
                .text = tr("&Find anything…"),
                .icon = "palette",
@@ -29,7 +37,7 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
   actions.add({.id = "shortcuts",
                .text = tr("&Keys and gestures"),
                .icon = "keyboard",
-               .keys = {"?", "F1"},
+               .keys = {"?"},
                .reach = Reach::OutsideText,
                .tip = tr("All keyboard shortcuts and gestures on one page"),
                .menu = {MenuGroup::Finding, 20}},
@@ -71,6 +79,13 @@ void HelpController::showDiagnostics() {
   diagnostics_->show();
   diagnostics_->raise();
   diagnostics_->activateWindow();
+}
+
+void HelpController::showManual() {
+  if (!manual_) manual_ = new ManualWindow(&context_.window);
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
 }
 
 }  // namespace mapwright::window

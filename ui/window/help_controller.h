@@ -1,4 +1,4 @@
-// Help: commands by name, keyboard shortcuts, about the program.
+// Help: the manual, commands by name, keyboard shortcuts, about the program.
 #pragma once
 
 #include <QPointer>
@@ -9,6 +9,7 @@
 namespace mapwright::window {
 
 class DiagnosticsDialog;
+class ManualWindow;
 
 class HelpController : public Controller {
   Q_OBJECT
@@ -18,9 +19,11 @@ class HelpController : public Controller {
 
  private:
   void showDiagnostics();
+  void showManual();
 
   WindowContext& context_;
   QPointer<DiagnosticsDialog> diagnostics_;
+  ManualWindow* manual_ = nullptr;  // once opened; hidden when it is closed
 };
 
 }  // namespace mapwright::window
