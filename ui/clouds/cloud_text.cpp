@@ -52,7 +52,7 @@ QString cloudSumsText(const clouds::CloudSums& sums) {
   if (sums.voxels) {
     lines << (sums.voxel_m
                   ? CloudTextText::tr("The cell size appears to be %1 m.").arg(metres(*sums.voxel_m, 3))
-                  : CloudTextText::tr("The cell size cannot be told from the positions of the cells."));
+                  : CloudTextText::tr("The cell size cannot be determined from the positions of the cells."));
   }
   if (sums.frames.size() > 1) {
     QStringList names;
