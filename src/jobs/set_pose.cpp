@@ -26,8 +26,7 @@ QString degrees(double rad) { return words::fixed(geometry::degreesFromRadians(r
 
 QString beliefMoves() {
   return SetPoseText::tr(
-      "Setting a map or a pose moves the robot's belief of where it is. If it is wrong, it "
-      "drives where it should not.");
+      "Setting a map or a pose tells the robot where it is. If it is wrong, the robot drives into things.");
 }
 
 QString whyNoPose(const geometry::Pose2& pose) {

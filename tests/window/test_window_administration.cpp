@@ -207,7 +207,7 @@ class TestWindowAdministration : public QObject {
     desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-a");
     ask();
     desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-b");
-    const QString begun = QStringLiteral("Mapping has started: the map is being made anew.");
+    const QString begun = QStringLiteral("Mapping has started: the robot is making a new map.");
     QCOMPARE(desk.toasts(), QStringList{begun});
     desk.maps.answer(test::catalogued("1", "Ground floor"));
     // Its end begins another session, too.

@@ -193,7 +193,7 @@ class TestWindowMoves : public QObject {
     Desk desk;
     desk.bench.action("robotPose")->trigger();
     QVERIFY(desk.pose().isVisible() && desk.pose().placeButton()->isChecked());
-    QVERIFY(desk.pose().warningShown().contains(QLatin1String("moves the robot's belief")));
+    QVERIFY(desk.pose().warningShown().contains(QLatin1String("tells the robot where it is")));
     QVERIFY(!desk.pose().setButton()->isEnabled());
     desk.drag(desk.at(1, 2), desk.at(1, 5));
     QVERIFY(std::abs(desk.pose().xBox()->value() - 1) < 0.06);

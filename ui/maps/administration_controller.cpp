@@ -55,7 +55,7 @@ QString called(const map::CatalogueEntry* map) {
 std::optional<QString> ofNewSession(MapChange change) {
   switch (change) {
     case MapChange::StartMapping:
-      return AdministrationController::tr("Mapping has started: the map is being made anew.");
+      return AdministrationController::tr("Mapping has started: the robot is making a new map.");
     case MapChange::ContinueMapping:
     case MapChange::StopMapping:
     case MapChange::CancelMapping:
@@ -128,9 +128,8 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::ContinueMapping:
       ask(ChangeDialog::tr("Extend the map"),
-          ChangeDialog::tr(
-              "The robot will map more of %1, from where it believes to be. The map itself stays "
-              "as it is until the result is saved.")
+          ChangeDialog::tr("The robot will map more of %1, starting at its estimated position. The map does "
+                           "not change until the result is saved.")
               .arg(present),
           ChangeDialog::tr("Start mapping"), ChangeDialog::tr("The robot is mapping."));
       question.ends_something = true;
@@ -371,7 +370,7 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
   add(MapChange::StopMapping, "stopMapping", tr("S&top mapping…"), tr("Make the robot finish its new map"),
       20);
   add(MapChange::CancelMapping, "cancelMapping", tr("&Discard mapping…"),
-      tr("Make the robot drop what it has mapped since the start"), 25);
+      tr("Make the robot discard what it has mapped since the start"), 25);
   add(MapChange::Save, "saveNewMap", tr("Save the &new map…"),
       tr("Store the map that the robot has made, under a name"), 30);
   QList<QAction*> actions;
@@ -604,9 +603,8 @@ void AdministrationController::showQuestion(MapChange change, const map::Catalog
   question.asks_place = change == MapChange::Load && robots->loadAsksForPlace();
   if (change == MapChange::Save &&
       robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving) {
-    question.text +=
-        QLatin1Char(' ') +
-        ChangeDialog::tr("Saving it ends the mapping: the robot cannot go on with it afterwards.");
+    question.text += QLatin1Char(' ') +
+                     ChangeDialog::tr("Saving ends the mapping: the robot cannot continue it afterwards.");
     question.accept = ChangeDialog::tr("Save and end the mapping");
     question.ends_something = true;
   }

@@ -69,7 +69,7 @@ ExpectedController::ExpectedController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context) {
   context_.actions.add({.id = "compareExpected",
                         .text = tr("Compare &with expected…"),
-                        .tip = tr("Compare the map with an expected picture, where that was drawn"),
+                        .tip = tr("Compare the map with an expected picture of the same place"),
                         .needs_session = true,
                         .menu = {MenuGroup::Exports, 20}},
                        this, &ExpectedController::askAndCompare);

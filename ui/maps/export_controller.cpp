@@ -270,7 +270,7 @@ void ExportDialog::start() {
   const QString missing = whole ? jobs::whyMostlyMissing(*offer_.whole->cells) : QString();
   if (!missing.isEmpty() && !missing_confirmed_) {
     missing_confirmed_ = true;
-    return askAgain(tr("%1 Press Export again to write them all the same.").arg(missing));
+    return askAgain(tr("%1 Press Export again to write them anyway.").arg(missing));
   }
   if (const QString own = jobs::firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
     confirmed_ = source_confirmed_ = true;

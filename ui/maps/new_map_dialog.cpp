@@ -102,8 +102,8 @@ NewMapDialog::NewMapDialog(const QString& path, const QSize& size, const QImage&
       this, {-kFarthestM, kFarthestM, 3, 1, QStringLiteral(" m"), tr("y of the lower left corner"), 130});
   error_->setMinimumHeight(fontMetrics().lineSpacing());
   auto* const about = wrappedLabel(tr("Black pixels are occupied, white ones free, gray and transparent ones "
-                                      "unknown (sent as gray). A map made of a picture has no data by "
-                                      "which a robot positions itself: it may not find itself on it."),
+                                      "unknown (sent as gray). A map made from a picture has no positioning "
+                                      "data: the robot may not find its position on it."),
                                    this);
   auto* const legend =
       wrappedLabel(tr("Dashed: what is on screen now. Cross: the origin. Dot: the robot."), this);

@@ -159,7 +159,7 @@ void PoseController::find() {
   robot::Localization* const robots = localization();
   if (!robots || !call_.over()) return;
   proposed_.reset();
-  dock_->setWaiting(true, tr("The robot is looking for itself…"));
+  dock_->setWaiting(true, tr("The robot is searching its map for its position…"));
   call_ = robots->findItself([this](const robot::Outcome<map::GlobalPositioning>& found) {
     if (!found) return dock_->setOutcome(saidOf(found.error()), PoseDock::Outcome::Bad);
     const bool itself = jobs::foundItself(*found);

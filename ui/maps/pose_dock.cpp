@@ -26,7 +26,7 @@ PoseDock::PoseDock(QWidget* parent)
                            tr("Click where the robot is; drag towards where it looks"))),
       set_(compactButton(tr("&Set pose"), this, tr("Tell the robot that it is there"))),
       find_(compactButton(tr("&Find itself"), this,
-                          tr("Make the robot look for itself on the whole of its map"))),
+                          tr("Make the robot search its whole map for its position"))),
       confirm_(compactButton(tr("It &is there"), this, tr("Set the pose that the robot proposes"))),
       reject_(compactButton(tr("&No"), this, tr("Leave the robot's pose as it is"))),
       cancel_(compactButton(tr("&Cancel"), this)) {
@@ -43,7 +43,7 @@ PoseDock::PoseDock(QWidget* parent)
   y_ = field(tr("y of the pose"), kFarthestM, 3, 0.05, QStringLiteral(" m"));
   yaw_ = field(tr("Heading of the pose"), 360, 1, 5, QStringLiteral("°"));
   adjust_->setToolTip(
-      tr("It may correct the pose by what its sensors see. Without it the pose is taken as it is."));
+      tr("The robot may correct the pose with its sensors. Otherwise it uses exactly this pose."));
   adjust_->setChecked(true);
   place_->setCheckable(true);
   outcome_->setMinimumHeight(2 * fontMetrics().lineSpacing());

@@ -28,7 +28,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
       move_(compactButton(tr("Move"), this, tr("Drag the reference map; with Shift turn it"))),
       pair_(compactButton(tr("Add points"), this,
                           tr("Click a point of the reference map, then where it really is"))),
-      fit_(compactButton(tr("Fit again"), this, tr("Lay the map by its pairs of points again"))),
+      fit_(compactButton(tr("Fit again"), this, tr("Fit the map to its pairs of points again"))),
       remove_pair_(compactButton(tr("Remove point"), this)),
       clear_(compactButton(tr("Remove all"), this)),
       model_(new QStandardItemModel(0, 3, this)),

@@ -145,7 +145,7 @@ TransferController::TransferController(WindowContext& context, QObject* parent)
                            });
   create_ = context_.actions.add({.id = "createMap",
                                   .text = tr("Add a map from a p&icture…"),
-                                  .tip = tr("Make a map of a PNG and add it to this robot's maps"),
+                                  .tip = tr("Make a map from a PNG and add it to this robot's maps"),
                                   .menu = {MenuGroup::Mapping, 50}},
                                  this, [this] {
                                    const QString path = QFileDialog::getOpenFileName(
@@ -169,8 +169,7 @@ void TransferController::setSession(session::Session* session) {
   if (dialog_ && !dialog_->failed())
     context_.overlay.toasts()->add(
         Mark::Warning,
-        tr("The transfer stopped when the robot was disconnected. A download goes on when it is "
-           "started again."));
+        tr("The transfer stopped when the robot was disconnected. Start a download again to resume it."));
   delete dialog_;
   delete new_map_;
   if (session)
@@ -201,7 +200,7 @@ void TransferController::askWhereTo(const map::MapKey& key) {
   const map::CatalogueEntry entry = *map;
   const QString downloads = QStandardPaths::writableLocation(QStandardPaths::DownloadLocation);
   const QString parent = QFileDialog::getExistingDirectory(
-      &context_.window, tr("Choose where the folder of %1 is made").arg(plainWords(entry.name, 60)),
+      &context_.window, tr("Choose where to create the folder of %1").arg(plainWords(entry.name, 60)),
       folderToWriteInto({context_.settings.value(kDownloadsKey).toString(), downloads}));
   if (parent.isEmpty()) return;
   context_.settings.setValue(kDownloadsKey, parent);
@@ -249,7 +248,7 @@ void TransferController::download(const map::MapKey& key, const QString& name, c
 
 void TransferController::upload(const QString& folder, bool as_new) {
   const QString where = words::plainName(folder.toStdString());
-  add(tr("Add a downloaded map"), tr("%1 goes to the robot").arg(where),
+  add(tr("Add a downloaded map"), tr("Sending %1 to the robot").arg(where),
       [folder, as_new] { return jobs::readMapFolder(folder, as_new); });
   connect(dialog_, &TransferDialog::againWanted, this, [this, folder] {
     // The dialog is the one that asks.
@@ -285,7 +284,7 @@ void TransferController::askForPlace(const QString& path, const QSize& size, con
   connect(new_map_, &QDialog::accepted, this, [this] {
     const jobs::PictureMap picture = new_map_->picture();
     add(tr("A map from a picture"),
-        tr("%1 goes to the robot").arg(words::plainName(picture.name.toStdString())),
+        tr("Sending %1 to the robot").arg(words::plainName(picture.name.toStdString())),
         [picture]() -> tl::expected<robot::NewMap, QString> {
           auto made = jobs::newMapFrom(picture);
           if (!made) return tl::make_unexpected(made.error());
@@ -341,7 +340,7 @@ void TransferController::tellAdded(const QString& name, const QStringList& odd, 
   context_.overlay.toasts()->add(
       odd.isEmpty() ? Mark::Good : Mark::Warning,
       (odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
-                     : QStringList{tr("The robot accepted %1, but keeps it otherwise: %2.")
+                     : QStringList{tr("The robot accepted %1, but stored it differently: %2.")
                                        .arg(name, odd.join(QStringLiteral("; ")))})
           .join(QLatin1Char(' '))
           .trimmed());
