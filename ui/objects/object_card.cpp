@@ -37,10 +37,10 @@ ObjectCard::ObjectCard(const scene::MapScene& scene, QWidget* parent)
       name_(new PlainLabel(this)),
       grid_(new QGridLayout),
       buttons_(new QWidget(this)),
-      copy_(cardButton(QStringLiteral("copy"), tr("Copy"),
-                       tr("Copy what this card says, and all else that is known"), buttons_)),
+      copy_(cardButton(QStringLiteral("copy"), tr("Copy"), tr("Copy everything that is known about it"),
+                       buttons_)),
       properties_(cardButton(QStringLiteral("list"), tr("Properties"),
-                             tr("Show everything that is known in a panel"), buttons_)),
+                             tr("Show everything that is known about it in a panel"), buttons_)),
       next_(cardButton(QStringLiteral("layers"), {}, tr("Show what lies beneath (Alt+click)"), buttons_)),
       close_(cardButton(QStringLiteral("close"), {}, tr("Close (Esc)"), this)),
       hint_(new PlainLabel(this)) {

@@ -116,7 +116,7 @@ void ObjectsController::addActions() {
                         .text = tr("&What is this?"),
                         .icon = "info",
                         .keys = {"Ctrl+I"},
-                        .tip = tr("Say what is under the cursor; again: what lies beneath it"),
+                        .tip = tr("Show what is under the cursor; again for what lies beneath it"),
                         .needs_session = true,
                         .menu = {MenuGroup::Look, 30}},
                        this, &ObjectsController::identify);

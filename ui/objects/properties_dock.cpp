@@ -89,7 +89,7 @@ void PropertiesDock::setObject(const scene::MapObject& object,
   symbol_->show();
   title_->setText(calledInFull(object));
   state_->setVisible(gone);
-  state_->setText(tr("It is no longer on the map. This was known last:"));
+  state_->setText(tr("It is no longer on the map. Last known:"));
   copy_->setEnabled(true);
   locate_->setEnabled(true);
   // Rows keep their places, so that a selection and the scroll bar stay.
