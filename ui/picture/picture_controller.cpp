@@ -542,7 +542,7 @@ void PictureController::turnInto(std::shared_ptr<const grids::GridPyramid> cells
               Mark::Good,
               any ? tr("This is the copy of %1, not saved yet. Ctrl+S sends it, Ctrl+Z takes it back.")
                         .arg(when)
-                  : tr("The map is as the copy of %1 already.").arg(when));
+                  : tr("The map already equals the copy of %1.").arg(when));
         },
         Qt::QueuedConnection);
   });
@@ -638,8 +638,8 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
              outcome.error().applied == map::Applied::No) {
     stay();
   } else if (unknown) {
-    noteNotWritten(tr("It is not known whether %1 was saved. %2 You are told as soon as its picture on the "
-                      "robot has been read again.")
+    noteNotWritten(tr("It is not known whether %1 was saved. %2 A message will say so once its picture has "
+                      "been read again.")
                        .arg(mapName(), QString::fromStdString(sentences::whyOf(outcome.error()))),
                    map::Applied::Maybe);
   } else {

@@ -145,7 +145,7 @@ tl::expected<ReadCopy, QString> readCopy(const QString& path, const std::atomic<
                            .remove(QLatin1Char(']'))
                            .split(QLatin1Char(','));
   if (!has_resolution || origin.size() != 3 || cancelled)
-    return tl::make_unexpected(PictureCopiesText::tr("Its map.yaml is not as it was written."));
+    return tl::make_unexpected(PictureCopiesText::tr("Its map.yaml was changed afterwards."));
   copy.place.origin = {origin[0].toDouble(), origin[1].toDouble(), origin[2].toDouble()};
   return copy;
 }

@@ -201,7 +201,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
     auto* label = new QLabel(name, body_);
     label->setToolTip(tip);
     label->setBuddy(spin);
-    auto* look = compactButton(tr("Look"), body_, tr("Preview the result without changing anything"));
+    auto* look = compactButton(tr("Preview"), body_, tr("Show the result without changing anything"));
     look->setAccessibleName(tr("Preview: %1").arg(name));
     connect(look, &QPushButton::clicked, this,
             [this, i, spin] { Q_EMIT lookWanted(Tidying(i), spin->value()); });
@@ -331,17 +331,17 @@ QString PictureDock::statusText() const {
   return cells == 0 ? tr("No unsaved changes.") : tr("Changed: %1.").arg(cellsText(cells));
 }
 
-/// "12 specks, 48 cells would change."
+/// "Removes 12 specks (48 cells)."
 QString PictureDock::previewText() const {
   if (editing_->reckoning()) return tr("Computing…");
   if (!editing_->preview()) return tr("Preparing the preview…");
   const TidyPreview& preview = *editing_->preview();
   if (preview.step.patch.empty()) return tr("There is nothing to clean up.");
   const QString cells = cellsText(preview.found.cells);
-  if (preview.what != Tidying::Specks) return tr("%1 would change.").arg(cells);
+  if (preview.what != Tidying::Specks) return tr("Changes %1.").arg(cells);
   const QString specks = sentences::counted(tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)),
                                             preview.found.pieces);
-  return tr("%1 of %2 would be removed.").arg(specks, cells);
+  return tr("Removes %1 (%2).").arg(specks, cells);
 }
 
 QStringList PictureDock::legend() const {
