@@ -346,7 +346,7 @@ class TestWindowDialogs : public QObject {
     // What is typed afterwards counts, and that is said.
     address->selectAll();
     test.type("axbot+http://192.0.2.9:9000/robots/7");
-    QVERIFY2(made->text().contains(QLatin1String("The address counts")), qPrintable(made->text()));
+    QVERIFY2(made->text().contains(QLatin1String("The address overrides")), qPrintable(made->text()));
     QVERIFY(!test.dialog->findChild<QSpinBox*>(QStringLiteral("port"))->isEnabled());
     // Back to looking for any kind.
     QTest::keyClick(kind, Qt::Key_Home);
@@ -355,7 +355,7 @@ class TestWindowDialogs : public QObject {
     address->selectAll();
     test.type("/maps/office.yaml");
     QTest::keyClick(kind, Qt::Key_Down);
-    QVERIFY2(made->text().contains(QLatin1String("The address counts")), qPrintable(made->text()));
+    QVERIFY2(made->text().contains(QLatin1String("The address overrides")), qPrintable(made->text()));
   }
 
   void aPortThatIsNoneIsNamed() {

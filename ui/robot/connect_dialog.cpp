@@ -299,7 +299,7 @@ QString ConnectDialog::hint(const QString& made, const std::optional<robot::Host
   if (host) {
     const QString where =
         host->port ? robot::serverAt(QStringLiteral("http"), *host, *host->port).authority() : host->name;
-    return tr("Every kind of robot is looked for at %1. No secret is sent.").arg(where);
+    return tr("Searches for every kind of robot at %1. No secret is sent.").arg(where);
   }
   if (made.isEmpty())
     return kind() ? tr("The name or address of the robot's computer.")
@@ -310,7 +310,7 @@ QString ConnectDialog::hint(const QString& made, const std::optional<robot::Host
   const QString does =
       parsed->path.isEmpty() ? tr("Connects to %1").arg(parsed->text) : tr("Opens %1").arg(parsed->path);
   return kind() && kind()->prefix != parsed->scheme
-             ? tr("%1. The address counts, not the kind chosen above.").arg(does)
+             ? tr("%1. The address overrides the kind chosen above.").arg(does)
              : does;
 }
 

@@ -120,7 +120,7 @@ void ConnectionController::addActions() {
   look_action_ = context_.actions.add({.id = "robotLook",
                                        .text = tr("&Name and colour…"),
                                        .icon = "robot",
-                                       .tip = tr("What you call this robot, and a colour to tell it by"),
+                                       .tip = tr("Your own name and colour for this robot"),
                                        .needs_session = true,
                                        .menu = {MenuGroup::Link, 25}},
                                       this, &ConnectionController::editLook);
@@ -193,7 +193,8 @@ std::optional<QString> ConnectionController::connectAs(const ConnectDialog::Wish
     if (attempt != attempts_) return;  // somebody wanted another robot meanwhile
     if (answer.reason.any())
       context_.overlay.toasts()->add(
-          Mark::Warning, tr("The kept secret cannot be had. %1").arg(sentences::sentenceOf(answer.reason)));
+          Mark::Warning,
+          tr("The stored secret cannot be read. %1").arg(sentences::sentenceOf(answer.reason)));
     if (const auto error = connectWith(wish.address, answer.secret, wish.look))
       context_.overlay.toasts()->add(Mark::Bad, *error);
   });
@@ -264,8 +265,7 @@ void ConnectionController::askToKeepSecret(const QString& address) {
       QMessageBox::NoButton, &context_.window);
   question->setTextFormat(Qt::PlainText);
   question->setInformativeText(
-      tr("The next time it is taken from there. It is never kept anywhere else, and "
-         "goes when you forget the robot."));
+      tr("It will be used from there. It is stored nowhere else, and removed when you forget the robot."));
   question->setAttribute(Qt::WA_DeleteOnClose);
   question->setObjectName(QStringLiteral("keepSecret"));
   QPushButton* const keep = question->addButton(tr("Keep"), QMessageBox::AcceptRole);
@@ -280,7 +280,7 @@ void ConnectionController::askToKeepSecret(const QString& address) {
       context_.overlay.toasts()->add(
           kept ? Mark::Good : Mark::Warning,
           kept ? tr("The secret is in the key ring.")
-               : tr("The secret was not kept. %1").arg(sentences::sentenceOf(answer.reason)));
+               : tr("The secret was not stored. %1").arg(sentences::sentenceOf(answer.reason)));
     });
   });
   question->open();

@@ -41,7 +41,7 @@ FoundRobots::FoundRobots(const robot::Addresses& addresses, QWidget* parent)
   state_->setObjectName(QStringLiteral("foundState"));
   details_->setObjectName(QStringLiteral("foundDetails"));
   details_->setText(tr("Details"));
-  details_->setToolTip(tr("Which ports were asked, and why there is no robot"));
+  details_->setToolTip(tr("Which ports were tried, and why no robot was found"));
   details_->setCheckable(true);
   details_->setAutoRaise(true);
   details_->setIcon(themedIcon(QStringLiteral("chevron-down")));

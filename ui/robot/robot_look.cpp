@@ -91,7 +91,7 @@ RobotLookDialog::RobotLookDialog(const RobotLook& look, const QString& own_name,
   auto* form = new QFormLayout;
   form->addRow(tr("&Name"), fields_.name);
   form->addRow(tr("&Colour"), fields_.color);
-  auto* note = wrappedLabel(tr("Only this computer knows them: nothing is changed on the robot."), this);
+  auto* note = wrappedLabel(tr("They stay on this computer: nothing changes on the robot."), this);
   setTextColor(*note, appColors().secondary_text);
   auto* save = new QPushButton(tr("Save"), this);
   auto* cancel = new QPushButton(tr("Cancel"), this);
