@@ -62,7 +62,7 @@ void localPathLegend(Legend& legend) {
 }
 
 void trajectoryLegend(Legend& legend) {
-  legend.addThing(LiveLegendText::tr("Way on which the map was made"), ObjectForm::Line);
+  legend.addThing(LiveLegendText::tr("Path along which the map was made"), ObjectForm::Line);
 }
 
 void targetLegend(Legend& legend) {

@@ -278,7 +278,7 @@ std::vector<ProblemMark> MapScene::problemMarksAt(const Eigen::Vector2d& world_m
 QString MapScene::reasonOf(map::SubmapId id, MarkKind kind) const {
   if (kind == MarkKind::NoSlice) return tr("It has no slice %1.").arg(session_->slice());
   const QString reason = sentences::sentenceOf(session_->reason(id));
-  return reason.isEmpty() ? tr("Its picture could not be had.") : reason;
+  return reason.isEmpty() ? tr("Its image could not be loaded.") : reason;
 }
 
 void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {

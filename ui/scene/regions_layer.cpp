@@ -163,8 +163,7 @@ void regionsLegend(Legend& legend) {
   add(QCoreApplication::translate("scene", "Being fetched"), regionPen(theme, Mark::Busy));
   add(QCoreApplication::translate("scene", "Fetch failed"), regionPen(theme, Mark::Failed));
   add(QCoreApplication::translate("scene", "Old: could not be fetched again"), regionPen(theme, Mark::Old));
-  add(QCoreApplication::translate("scene", "Asked for; the map is empty here"),
-      regionPen(theme, Mark::Quiet));
+  add(QCoreApplication::translate("scene", "Fetched; the map is empty here"), regionPen(theme, Mark::Quiet));
   add(QCoreApplication::translate("scene", "Edge of the map"), extentPen(theme));
 }
 
