@@ -419,8 +419,8 @@ void LayersDock::fillMenu(QMenu& menu, std::optional<Layer> layer) {
                                          [this, layer = *layer] { Q_EMIT zoomWanted(layer); });
     zoom->setObjectName(QStringLiteral("zoomToLayer"));
     allow(zoom, !scene_->layerBounds(*layer).empty(),
-          scene_->layerVisible(*layer) ? tr("There is nothing in this layer that has a place")
-                                       : tr("Nothing is known of this layer while it is hidden"));
+          scene_->layerVisible(*layer) ? tr("Nothing in this layer has a position")
+                                       : tr("Its content is unknown while it is hidden"));
     menu.addSeparator();
   }
   QAction* const groups = menu.addAction(tr("In groups"), this, [this](bool on) { setGrouped(on); });

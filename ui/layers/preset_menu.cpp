@@ -89,7 +89,7 @@ PresetMenu::PresetMenu(scene::MapScene& scene, QSettings& settings, Actions& act
   for (std::size_t i = 0; i < built_in_.size(); ++i)
     built_in_actions_.push_back(offer(QLatin1String(kBuiltInIds[i]), built_in_[i]));
   save_ = actions_.add(tr("View"), QStringLiteral("saveLayerPreset"), tr("&Save the layers as a preset…"), {},
-                       {}, Reach::Everywhere, tr("Keep which layers are shown, and how, under a name"));
+                       {}, Reach::Everywhere, tr("Save which layers are shown, and how they are drawn"));
   connect(save_, &QAction::triggered, this, &PresetMenu::askForName);
   connect(&scene_, &scene::MapScene::layersChanged, this, &PresetMenu::mark);
   changed();
