@@ -152,7 +152,7 @@ QWidget* MessagesDock::buildControls() {
     if (!tally) return;
     const bool all = !tally->cut && !isShortened(tally->text);
     Q_EMIT copyWanted(QString::fromUtf8(tally->text),
-                      all ? tr("Message copied") : tr("Message copied as shown, not all of it"));
+                      all ? tr("Message copied") : tr("Message copied as shown, shortened"));
   });
   return box;
 }
