@@ -166,7 +166,7 @@ void CompareBar::sync(session::Session* session, CompareMode mode, const std::op
   swipe_->setChecked(mode == CompareMode::Swipe);
   difference_->setChecked(mode == CompareMode::Difference);
   difference_->setEnabled(!submaps);
-  difference_->setToolTip(submaps ? tr("Only two whole maps can be subtracted from each other")
+  difference_->setToolTip(submaps ? tr("A difference needs two whole maps")
                                   : tr("Show the differences in colour"));
   legend_->setVisible(mode == CompareMode::Difference);
   for (QObject* const child : legend_->children()) {

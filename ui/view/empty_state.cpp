@@ -59,7 +59,7 @@ void sayOfFile(EmptyState& state, const Fault& reason) {
   if (state.kind == EmptyState::Kind::Connecting)
     state.title = QCoreApplication::translate("window", "Opening…");
   if (state.kind == EmptyState::Kind::WaitingForList)
-    state.text = QCoreApplication::translate("window", "It has not told of any yet.");
+    state.text = QCoreApplication::translate("window", "It has not reported any yet.");
   if (state.kind == EmptyState::Kind::NoMap)
     state.text = QCoreApplication::translate("window", "Double-click one under Maps.");
   if (state.kind != EmptyState::Kind::Failed) return;
