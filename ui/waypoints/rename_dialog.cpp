@@ -113,7 +113,7 @@ RenameDialog::RenameDialog(WaypointEditing* editing, std::function<std::vector<e
   pages_->addWidget(patternPage());
   pages_->addWidget(replacePage());
   pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  showRows(*table_, model_, tr("What each is called now, and then"));
+  showRows(*table_, model_, tr("Present and new names"));
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -163,7 +163,7 @@ QWidget* RenameDialog::patternPage() {
   for (QSpinBox* box : {first_, step_}) box->setMinimumWidth(kNumberBoxPx);
   order_->addItems({tr("as they are listed"), tr("from left to right (x)"), tr("from bottom to top (y)"),
                     tr("along their line"), tr("as they were selected")});
-  order_->setAccessibleName(tr("In which order they are counted"));
+  order_->setAccessibleName(tr("Order of the numbers"));
   auto* const about =
       wrappedLabel(tr("# is the number (## with two digits, and so on), * is the present name."), page);
   setTextColor(*about, appColors().secondary_text);
@@ -188,8 +188,8 @@ QWidget* RenameDialog::replacePage() {
   auto* const page = new QWidget(pages_);
   for (QLineEdit* field : {find_, replacement_}) field->setMaxLength(kLongestPattern);
   find_->setAccessibleName(tr("What is replaced"));
-  replacement_->setAccessibleName(tr("What it is replaced by"));
-  replacement_->setPlaceholderText(tr("nothing: it is left out"));
+  replacement_->setAccessibleName(tr("Replacement"));
+  replacement_->setPlaceholderText(tr("nothing: it is removed"));
   auto* const form = new QFormLayout(page);
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(12);

@@ -88,7 +88,7 @@ ConflictBox::ConflictBox(QWidget* parent)
       theirs_(compactButton(tr("Take theirs"), this,
                             tr("Keep the change made elsewhere: the hollow triangle on the map"))),
       both_(compactButton(tr("Keep both"), this,
-                          tr("Keep theirs, and mine as another waypoint with a name of its own"))),
+                          tr("Keep theirs, and mine as a second waypoint with its own name"))),
       locate_(compactButton(tr("Show"), this, tr("Show both on the map"))),
       previous_(compactButton(QString(QChar(0x2039)), this, tr("Previous conflict"))),
       next_(compactButton(QString(QChar(0x203a)), this, tr("Next conflict"))) {
