@@ -226,7 +226,7 @@ void ReplayController::reportMoment(const QString& path) {
   const replay::Reading* const reading = clock_->reading();
   if (!reading) return;
   ToastStack* const toasts = context_.overlay.toasts();
-  if (report_) return toasts->add(Mark::Busy, tr("The report before is still being written."));
+  if (report_) return toasts->add(Mark::Busy, tr("The previous report is still being written."));
   const QString address = context_.current.address();
   const auto source = context_.addresses.parse(address);
   if (source && !jobs::firstOwnSource({path}, {source->path.toStdString()}).isEmpty())
@@ -437,7 +437,7 @@ void ReplayController::refresh() {
     const session::MapSlot& slot = context_.current.session()->wholeMap();
     const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
     if (mapsInView(context_.scene).whole && of_now)
-      notice.sentence += QLatin1Char(' ') + tr("The map is the robot's present one.");
+      notice.sentence += QLatin1Char(' ') + tr("The map is the robot's current one.");
     if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
       notice.sentence += QLatin1Char(' ') + tr("The bag contains no map up to this time.");
     const std::optional<robot::BagInfo>& info = clock_->reading()->info();
