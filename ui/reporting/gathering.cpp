@@ -136,10 +136,9 @@ bool Gathering::momentChosen() {
       }
     }
     if (!wanted_.at_s) {
-      fail(
-          GatheringText::tr("%1 tells of no position, so the same place cannot be looked for. Name the time.")
-              .arg(words::plainName(wanted_.bag.name)),
-          map::FailureKind::Unsupported);
+      fail(GatheringText::tr("%1 has no position, so the same place cannot be found. Give the time instead.")
+               .arg(words::plainName(wanted_.bag.name)),
+           map::FailureKind::Unsupported);
       return false;
     }
   }

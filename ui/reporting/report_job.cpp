@@ -64,10 +64,9 @@ void ReportJob::takeRun() {
   if (!order_.against) return write();
   Gathering::Wanted wanted{.at_s = order_.against->at_s, .near_m = placeOf(report_.run)};
   if (!wanted.at_s && !wanted.near_m)
-    return fail(QCoreApplication::translate(
-        "Incident",
-        "The position at this time is not known, so the same place cannot be looked "
-        "for in the other run. Name its time."));
+    return fail(QCoreApplication::translate("Incident",
+                                            "The position at this time is unknown, so the same place cannot "
+                                            "be found in the other run. Give its time instead."));
   // Both pictures show the same place.
   if (wanted.near_m && !report_.run.picture.isEmpty()) wanted.view = view;
   gather(*order_.against, std::move(wanted));
