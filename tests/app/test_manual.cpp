@@ -1,4 +1,5 @@
 // What the manual says of commands, JSON and menus is so, and what --help says agrees with itself.
+#include <QDir>
 #include <QDirIterator>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -20,9 +21,20 @@ using mapwright::tests::Program;
 
 namespace {
 
-QString pageOf(const char* path) {
-  QFile file(QStringLiteral(MAPWRIGHT_SOURCES "/") + QLatin1String(path));
+QString pageOf(const QString& path) {
+  QFile file(QStringLiteral(MAPWRIGHT_SOURCES "/") + path);
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+QString pageOf(const char* path) { return pageOf(QString::fromLatin1(path)); }
+
+/// These pages and those of docs/tasks.
+QStringList withTasks(std::initializer_list<const char*> pages) {
+  QStringList all;
+  for (const char* page : pages) all << QString::fromLatin1(page);
+  const QString folder = QStringLiteral("docs/tasks/");
+  for (const QString& name : QDir(QStringLiteral(MAPWRIGHT_SOURCES "/") + folder).entryList(QDir::Files))
+    all << folder + name;
+  return all;
 }
 
 QStringList matchesOf(const char* pattern, const QString& text) {
@@ -153,12 +165,12 @@ class ManualTest : public QObject {
   void whatPagesCallIsThere() {
     QStringList unknown;
     int lines = 0;
-    for (const char* page :
-         {"README.md", "CONTRIBUTING.md", "docs/command-line.md", "docs/files.md", "docs/getting-started.md",
-          "docs/json.md", "docs/maps-in-ci.md", "docs/same-bytes.md", "docs/simulator.md",
-          "docs/troubleshooting.md", "docs/window.md"}) {
+    for (const QString& page :
+         withTasks({"README.md", "CONTRIBUTING.md", "docs/command-line.md", "docs/files.md",
+                    "docs/getting-started.md", "docs/json.md", "docs/maps-in-ci.md", "docs/same-bytes.md",
+                    "docs/simulator.md", "docs/troubleshooting.md", "docs/window.md"})) {
       const QString text = pageOf(page);
-      QVERIFY2(!text.isEmpty(), page);
+      QVERIFY2(!text.isEmpty(), qPrintable(page));
       for (const QString& line : commandLines(text) + matchesOf("`mapwright ([^`\n]+)`", text)) {
         unknown << unknownIn(line);
         ++lines;
@@ -346,9 +358,9 @@ class ManualTest : public QObject {
     listMenus(*shown.window().menuBar(), {}, paths);
     QVERIFY(paths.size() > 50);
     QStringList lacking;
-    for (const char* page :
-         {"docs/window.md", "docs/command-line.md", "docs/files.md", "docs/getting-started.md",
-          "docs/maps-in-ci.md", "docs/troubleshooting.md", "CONTRIBUTING.md"}) {
+    for (const QString& page :
+         withTasks({"docs/window.md", "docs/command-line.md", "docs/files.md", "docs/getting-started.md",
+                    "docs/maps-in-ci.md", "docs/troubleshooting.md", "CONTRIBUTING.md"})) {
       for (QString path : matchesOf("\\*((?:File|Edit|View|Map|Robot|Help) > [^*]+)\\*",
                                     pageOf(page).replace(QLatin1Char('\n'), QLatin1Char(' ')))) {
         path.remove(QStringLiteral("…"));

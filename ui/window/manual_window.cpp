@@ -31,7 +31,10 @@ namespace mapwright::window {
 namespace {
 
 /// In reading order; docs/manual.qrc has the same ones, and the package installs them.
-constexpr const char* kPages[] = {"window.md", "command-line.md", "maps-in-ci.md", "same-bytes.md"};
+constexpr const char* kPages[] = {"window.md",         "tasks/waypoints.md", "tasks/overlays.md",
+                                  "tasks/pictures.md", "tasks/mapping.md",   "tasks/poses.md",
+                                  "tasks/replay.md",   "tasks/compare.md",   "command-line.md",
+                                  "simulator.md",      "maps-in-ci.md",      "same-bytes.md"};
 constexpr int kPageRole = Qt::UserRole, kPositionRole = Qt::UserRole + 1;
 constexpr int kMostHits = 200, kMostMarks = 1000, kPicturePx = 720;
 
