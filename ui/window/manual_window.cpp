@@ -31,12 +31,12 @@ namespace mapwright::window {
 namespace {
 
 /// In reading order; docs/manual.qrc has the same ones, and the package installs them.
-constexpr const char* kPages[] = {"window.md",         "tasks/waypoints.md", "tasks/overlays.md",
-                                  "tasks/pictures.md", "tasks/mapping.md",   "tasks/poses.md",
-                                  "tasks/replay.md",   "tasks/compare.md",   "command-line.md",
-                                  "simulator.md",      "maps-in-ci.md",      "same-bytes.md"};
+constexpr const char* kPages[] = {
+    "docs/window.md",        "docs/tasks/waypoints.md", "docs/tasks/overlays.md", "docs/tasks/pictures.md",
+    "docs/tasks/mapping.md", "docs/tasks/poses.md",     "docs/tasks/replay.md",   "docs/tasks/compare.md",
+    "docs/command-line.md",  "docs/simulator.md",       "docs/maps-in-ci.md",     "docs/same-bytes.md"};
 constexpr int kPageRole = Qt::UserRole, kPositionRole = Qt::UserRole + 1;
-constexpr int kMostHits = 200, kMostMarks = 1000, kPicturePx = 720;
+constexpr int kMostHits = 200, kMostMarks = 1000, kPicturePx = 720, kMarginPx = 16;
 
 QUrl urlOf(int page) { return QStringLiteral("qrc:/manual/") + QLatin1String(kPages[page]); }
 
@@ -73,23 +73,45 @@ class ManualPage : public QTextBrowser {
   }
 
  protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QTextBrowser::resizeEvent(event);
+    const int room_px = std::min(kPicturePx, viewport()->width() - 2 * kMarginPx);
+    if (std::exchange(picture_px_, room_px) != room_px) readAgain();
+  }
+  void changeEvent(QEvent* event) override {
+    QTextBrowser::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) readAgain();  // links keep the colour they were read with
+  }
   QVariant loadResource(int type, const QUrl& name) override {
     if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
     QImage image(QLatin1Char(':') + name.path());
-    const int width = int(kPicturePx * devicePixelRatioF());
+    const int width = int(picture_px_ * devicePixelRatioF());
     if (image.width() > width) image = image.scaledToWidth(width, Qt::SmoothTransformation);
     image.setDevicePixelRatio(devicePixelRatioF());
     return image;
   }
   void doSetSource(const QUrl& url, QTextDocument::ResourceType type) override {
     if (!QFile::exists(QLatin1Char(':') + url.path())) return on_missing(url);
+    QTextCursor whole(document());
+    whole.beginEditBlock();  // or every word that is read would be laid out by itself
     QTextBrowser::doSetSource(url, type);
+    whole.endEditBlock();
     if (!url.hasFragment()) return;
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
       if (block.blockFormat().headingLevel() > 0 && anchorOf(block.text()) == url.fragment())
         return goTo(block.position());
     }
   }
+
+ private:
+  void readAgain() {
+    if (source().isEmpty()) return;
+    const int at = verticalScrollBar()->value();
+    reload();
+    verticalScrollBar()->setValue(at);
+  }
+
+  int picture_px_ = kPicturePx;
 };
 
 }  // namespace
@@ -116,7 +138,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     said_->show();
   };
   page_->setOpenExternalLinks(true);
-  page_->document()->setDocumentMargin(16);
+  page_->document()->setDocumentMargin(kMarginPx);
   page_->setFrameShape(QFrame::NoFrame);
 
   QToolButton* const back = iconButton(QStringLiteral("event-back"), 16, tr("Back (Alt+Left)"), this);
@@ -143,8 +165,8 @@ ManualWindow::ManualWindow(QWidget* parent)
   connect(search_, &QLineEdit::returnPressed, this, [this] { open(list_->currentItem()); });
   connect(list_, &QListWidget::itemClicked, this, &ManualWindow::open);
   connect(list_, &QListWidget::itemActivated, this, &ManualWindow::open);
-  connect(page_, &QTextBrowser::sourceChanged, this, [this] {
-    if (search_->text().trimmed().isEmpty()) listPages();
+  connect(page_, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
+    if (search_->text().trimmed().isEmpty()) listPages(url);
     mark();
   });
   auto* const find = new QShortcut(QKeySequence::Find, this);
@@ -156,13 +178,13 @@ ManualWindow::ManualWindow(QWidget* parent)
   search_->setFocus();
 }
 
-void ManualWindow::listPages() {
+void ManualWindow::listPages(const QUrl& open) {
   list_->clear();
   said_->hide();
   for (int page = 0; page < int(titles_.size()); ++page) {
     auto* const item = new QListWidgetItem(titles_[page], list_);
     item->setData(kPageRole, page);
-    if (urlOf(page).path() == page_->source().path()) list_->setCurrentItem(item);
+    if (urlOf(page).path() == open.path()) list_->setCurrentItem(item);
   }
 }
 
@@ -191,7 +213,7 @@ void ManualWindow::readAll() {
 void ManualWindow::listHits() {
   const QStringList words = searchedWords(search_->text());
   mark();
-  if (words.isEmpty()) return listPages();
+  if (words.isEmpty()) return listPages(page_->source());
   if (passages_.empty()) readAll();
   std::vector<const Passage*> hits;
   for (const Passage& passage : passages_) {
@@ -237,16 +259,6 @@ void ManualWindow::mark() {
       found << QTextEdit::ExtraSelection{at, format};
   }
   page_->setExtraSelections(found);
-}
-
-void ManualWindow::changeEvent(QEvent* event) {
-  QDialog::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange) return;
-  // Links keep the colour that they were read with.
-  const int at = page_->verticalScrollBar()->value();
-  page_->reload();
-  page_->verticalScrollBar()->setValue(at);
-  mark();
 }
 
 bool ManualWindow::eventFilter(QObject* watched, QEvent* event) {

@@ -19,7 +19,6 @@ class ManualWindow : public QDialog {
   explicit ManualWindow(QWidget* parent = nullptr);
 
  protected:
-  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -28,7 +27,7 @@ class ManualWindow : public QDialog {
     QString heading, text;
   };
   void readAll();
-  void listPages();
+  void listPages(const QUrl& open);
   void listHits();
   void open(const QListWidgetItem* item);
   void mark();
