@@ -824,9 +824,10 @@ class TestWindowLayouts : public QObject {
         return qobject_cast<const QDialog*>(top) && top->isVisible();
       });
     };
-    for (const char* id : {"connect", "goTo", "diagnostics", "about", "shortcuts", "palette", "export",
-                           "compare", "record", "importWaypoints", "exportWaypoints", "screenshotSave",
-                           "openFile", "newByNumbers", "snapDistances", "revertWaypoints"}) {
+    for (const char* id :
+         {"connect", "goTo", "diagnostics", "about", "manual", "shortcuts", "palette", "export", "compare",
+          "record", "importWaypoints", "exportWaypoints", "screenshotSave", "openFile", "newByNumbers",
+          "snapDistances", "revertWaypoints"}) {
       QAction* const action = desk.action(id);
       if (!action || !action->isEnabled()) continue;
       action->trigger();
