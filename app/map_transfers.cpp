@@ -125,7 +125,7 @@ CommandResult<int> addMap(RobotCommand& command, const TransferArguments& args, 
     printLine(QStringLiteral("%1  %2").arg(words::plainName(now->key.id), words::plainName(now->name)));
   }
   if (odd.isEmpty()) return kDone;
-  return reading.failure(kIncomplete, Text::tr("The robot accepted the map, but keeps it otherwise: %1.")
+  return reading.failure(kIncomplete, Text::tr("The robot accepted the map, but stored it differently: %1.")
                                           .arg(odd.join(QStringLiteral("; "))));
 }
 

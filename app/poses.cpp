@@ -71,7 +71,7 @@ CommandResult<int> mapsLocate(RobotCommand& command, const PoseArguments& args) 
   robot::Localization* const localization = reading.session().robot().localization();
   if (!localization) return reading.lacks(robot::Capability::Localization);
   ProgressLine line;
-  line.tell(Text::tr("The robot is looking for itself…"));
+  line.tell(Text::tr("The robot is searching its map for its position…"));
   const auto found = reading.ask<map::GlobalPositioning>([&](robot::OutcomeTo<map::GlobalPositioning> reply) {
     return localization->findItself(std::move(reply));
   });

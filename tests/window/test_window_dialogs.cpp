@@ -296,7 +296,8 @@ class TestWindowDialogs : public QObject {
     Looking test;
     auto* const made = test.dialog->findChild<QLabel*>(QStringLiteral("made"));
     test.type("127.0.0.1:1234");
-    QVERIFY2(made->text().contains(QLatin1String("kind of robot at 127.0.0.1:1234.")), qPrintable(made->text()));
+    QVERIFY2(made->text().contains(QLatin1String("kind of robot at 127.0.0.1:1234.")),
+             qPrintable(made->text()));
     // A path makes no kind of it: it is looked for, too.
     test.dialog->findChild<QLineEdit*>(QStringLiteral("address"))->clear();
     test.type("127.0.0.1/x");
