@@ -56,20 +56,20 @@ struct Desk {
     return std::make_unique<robot::axbot::AxbotRobot>(QString::fromStdString(sim.address()), link);
   }
 
-  /// Somebody else replaces the overlays of map 1.
-  bool hand(const std::string& text) {
+  /// Somebody else replaces the overlays of a map.
+  bool hand(const std::string& text, const char* map = "1") {
     std::optional<bool> done;
     other->overlayStore()->write(
-        {map::MapKind::Stored, "1"}, text, [&](robot::Outcome<std::monostate> outcome) {
+        {map::MapKind::Stored, map}, text, [&](robot::Outcome<std::monostate> outcome) {
           done = bool(outcome);
           if (!outcome) qWarning("not written: %s", sentences::sentenceOf(outcome.error()).c_str());
         });
     return QTest::qWaitFor([&] { return done.has_value(); }) && *done;
   }
   /// What the robot holds.
-  std::string held() {
+  std::string held(const char* map = "1") {
     std::optional<std::string> text;
-    other->overlayStore()->read({map::MapKind::Stored, "1"}, [&](robot::Outcome<robot::OverlayText> outcome) {
+    other->overlayStore()->read({map::MapKind::Stored, map}, [&](robot::Outcome<robot::OverlayText> outcome) {
       text = outcome ? outcome->text : std::string();
     });
     (void)QTest::qWaitFor([&] { return text.has_value(); });

@@ -354,6 +354,28 @@ class TestWindowOverlays : public QObject {
     QVERIFY(desk.held().find("[[0.00,0],[4,0]]") == std::string::npos);
   }
 
+  /// Nobody tells what is changed in a map that the robot is not in: it is looked at once more.
+  void whatOthersChangeInAnotherMapWhileItIsReviewedStays() {
+    Desk desk;
+    desk.start();
+    QVERIFY(desk.hand(kOverlays, "2"));
+    const map::MapKey key{map::MapKind::Stored, "2"};
+    desk.window->session()->openMap(key);
+    const session::MapSlot& slot = desk.window->session()->wholeMap();
+    QTRY_VERIFY(slot.cells() && slot.shown().key == key);
+    desk.key(Qt::Key_E);
+    QTRY_VERIFY(desk.editing().isOpen());
+    QTRY_COMPARE(desk.document().base().text(), std::string(kOverlays));
+    desk.editing().set(0, overlays::movedBy(*desk.document().find(0), {0, 1}), QStringLiteral("move"));
+    QVERIFY(desk.control().unsaved());
+    desk.review();
+    QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.9"), "2"));
+    QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.control().busy() && !desk.control().review());
+    QVERIFY(desk.held("2").find("\"speed\":0.9") != std::string::npos);
+    QVERIFY(desk.held("2").find("[[0.00,0],[4,0]]") == std::string::npos);
+  }
+
   /// The map draws all the others from the picture that it keeps.
   void manyInTheHandLeaveTheirPlacesAndComeBack() {
     Desk desk;
