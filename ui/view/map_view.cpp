@@ -252,6 +252,7 @@ void MapView::centreOnRobot() {
 void MapView::setTool(MapTool* tool) {
   if (tool == tool_) return;
   cancelToolDrag();
+  if (!dragging_) press_.reset();  // it is no click of the next tool
   tool_->deactivate();
   tool_->disconnect(this);
   tool_ = tool;
@@ -266,9 +267,12 @@ void MapView::setTool(MapTool* tool) {
   updateCursor();
 }
 
+/// What the tool has taken hold of comes to nothing, whether it has moved or not.
 void MapView::cancelToolDrag() {
-  tool_takes_ = false;
-  if (std::exchange(tool_dragging_, false)) tool_->dragCancelled();
+  tool_dragging_ = false;
+  if (!std::exchange(tool_takes_, false)) return;
+  press_.reset();
+  tool_->dragCancelled();
 }
 
 MapPoint MapView::pointAt(const QPointF& px, Qt::KeyboardModifiers modifiers) const {
@@ -398,10 +402,10 @@ void MapView::mousePressEvent(QMouseEvent* event) {
   }
   if (std::exchange(keyboard_came_, false)) viewport()->update();
   stopMoving();
+  cancelToolDrag();
   press_ = drag_last_ = event->position();
   // Middle and Space+left drag at once; a left press may still become a click.
   dragging_ = event->button() == Qt::MiddleButton || space_held_;
-  cancelToolDrag();
   if (!dragging_) tool_takes_ = tool_->pressed(pointAt(event->position(), event->modifiers()));
   updateCursor();
   event->accept();
@@ -483,8 +487,11 @@ void MapView::wheelEvent(QWheelEvent* event) {
 
 void MapView::keyPressEvent(QKeyEvent* event) {
   if (tool_->keyPressed({event->key(), event->modifiers(), event->isAutoRepeat()})) {
-    // A drag that was ended by a key is ignored from then on.
-    if (event->key() == Qt::Key_Escape && std::exchange(tool_dragging_, false)) press_.reset();
+    // What was ended by a key is ignored from then on.
+    if (event->key() == Qt::Key_Escape && !dragging_) {
+      press_.reset();
+      tool_takes_ = tool_dragging_ = false;
+    }
     updateCursor();
     event->accept();
     return;
@@ -541,7 +548,6 @@ void MapView::focusInEvent(QFocusEvent* event) {
 void MapView::focusOutEvent(QFocusEvent* event) {
   if (std::exchange(keyboard_came_, false)) viewport()->update();
   space_held_ = false;
-  if (tool_dragging_) press_.reset();
   cancelToolDrag();
   updateCursor();
   QGraphicsView::focusOutEvent(event);
