@@ -181,13 +181,12 @@ class RegionTip : public QObject {
 RegionsController::RegionsController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
-      tool_(new RectangleTool([this] { return context_.scene.view(); },
-                              [this](const geometry::WorldRect& rect) {
-                                return map_
-                                           ? rectangleText(map_->regions(), wholeCells(map_->regions(), rect))
-                                           : areaText(rect);
-                              },
-                              this)),
+      tool_(new RectangleTool(
+          &context.scene,
+          [this](const geometry::WorldRect& rect) {
+            return map_ ? rectangleText(map_->regions(), wholeCells(map_->regions(), rect)) : areaText(rect);
+          },
+          this)),
       every_(new QActionGroup(this)),
       status_(new PlainLabel(&context.bar)),
       map_fetch_(std::make_unique<MapFetch>(context)) {
