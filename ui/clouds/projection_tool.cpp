@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include <QPainter>
-
-#include "scene/drawing.h"
 #include "scene/lengths.h"
 
 namespace mapwright::window {
@@ -24,107 +20,73 @@ geometry::WorldRect rectOf(const map::Projection& one) {
 }  // namespace
 
 ProjectionTool::ProjectionTool(const scene::MapScene* scene, const ProjectionDraft* draft, QObject* parent)
-    : MapTool(parent), scene_(scene), draft_(draft) {}
+    : DragTool(scene, parent), draft_(draft) {}
 
 QCursor ProjectionTool::cursor() const {
   if (!editable_) return Qt::ArrowCursor;
-  switch (under_) {
-    case RectGrip::None:
-      return Qt::CrossCursor;
-    case RectGrip::Inside:
-      return Qt::SizeAllCursor;
-    case RectGrip::Left:
-    case RectGrip::Right:
-    case RectGrip::Bottom:
-    case RectGrip::Top:
-    case RectGrip::BottomLeft:
-    case RectGrip::BottomRight:
-    case RectGrip::TopLeft:
-    case RectGrip::TopRight:
-      break;
-  }
-  return Qt::PointingHandCursor;  // the view may be rotated: an arrow would point in a wrong direction
+  if (under_ == RectGrip::None) return Qt::CrossCursor;
+  // The view may be rotated: an arrow would point in a wrong direction.
+  return under_ == RectGrip::Inside ? Qt::SizeAllCursor : Qt::PointingHandCursor;
 }
 
 void ProjectionTool::setEditable(bool editable, bool takes) {
   if (editable == editable_ && takes == takes_) return;
   editable_ = editable;
   takes_ = takes;
-  letGo();
+  grabbed_.reset();
+  dragCancelled();
 }
 
 void ProjectionTool::refresh() {
-  if (hold_ && hold_->index >= int(draft_->wanted().size())) hold_.reset();
+  if (grabbed_ && grabbed_->index >= int(draft_->wanted().size())) grabbed_->index = -1;
   tell();
 }
-
-void ProjectionTool::letGo() {
-  hold_.reset();
-  tell();
-}
-
-void ProjectionTool::deactivate() { letGo(); }
 
 RectGrip ProjectionTool::gripOnChosen(const MapPoint& at) const {
   const map::Projection* const one = draft_->selectedOne();
-  return one ? gripAt(*one, at.world_m, kReachPx * scene_->view().scale_m_per_px) : RectGrip::None;
+  return one ? gripAt(*one, at.world_m, reach()) : RectGrip::None;
 }
 
 /// Where they overlap, the one below the selected one: repeated clicks cycle through them.
 std::optional<int> ProjectionTool::indexAt(const MapPoint& at) const {
   const auto& all = draft_->wanted();
   const int count = int(all.size());
-  const double reach_m = kReachPx * scene_->view().scale_m_per_px;
   for (int i = 1; i <= count; ++i) {
     const int index = (draft_->selected().value_or(0) - i + 2 * count) % count;
-    if (gripAt(all[std::size_t(index)], at.world_m, reach_m) != RectGrip::None) return index;
+    if (gripAt(all[std::size_t(index)], at.world_m, reach()) != RectGrip::None) return index;
   }
   return std::nullopt;
 }
 
-bool ProjectionTool::pressed(const MapPoint& at) {
+bool ProjectionTool::grab(const MapPoint& at) {
+  grabbed_.reset();
   if (!editable_) return false;
-  hold_ = Hold{-1, gripOnChosen(at), {}, at.world_m, at.world_m};
-  if (hold_->grip != RectGrip::None) {
-    hold_->index = *draft_->selected();
-    hold_->before = *draft_->selectedOne();
-  }
+  if (const RectGrip grip = gripOnChosen(at); grip != RectGrip::None)
+    grabbed_ = Grabbed{*draft_->selected(), grip, *draft_->selectedOne()};
   return true;
 }
 
-void ProjectionTool::dragged(const MapPoint& at) {
-  if (!hold_) return;
-  hold_->to_m = at.world_m;
-  if (hold_->index >= 0) {
-    Q_EMIT changedTo(hold_->index, moved(hold_->before, hold_->grip, at.world_m - hold_->from_m));
-    return;
-  }
-  tell();
+void ProjectionTool::update(const MapPoint& at) {
+  if (!grabbed_ || grabbed_->index < 0) return;
+  Q_EMIT changedTo(grabbed_->index,
+                   moved(grabbed_->before, grabbed_->grip, at.world_m - hold()->from.world_m));
 }
 
-void ProjectionTool::released(const MapPoint& at) {
-  const auto hold = hold_;
-  letGo();
-  if (!hold) return;
-  if (hold->index >= 0) {
-    Q_EMIT changedTo(hold->index, moved(hold->before, hold->grip, at.world_m - hold->from_m));
-    return;
-  }
-  geometry::WorldRect rect;
-  rect.extend(hold->from_m);
-  rect.extend(at.world_m);
+void ProjectionTool::finish(const MapPoint&) {
+  const geometry::WorldRect rect = newOne();
   if (rect.width() > 0 && rect.height() > 0) Q_EMIT drawn(rect);
 }
 
-void ProjectionTool::dragCancelled() {
-  const auto hold = hold_;
-  letGo();
-  if (hold && hold->index >= 0) Q_EMIT changedTo(hold->index, hold->before);
+void ProjectionTool::cancel() {
+  if (grabbed_ && grabbed_->index >= 0) Q_EMIT changedTo(grabbed_->index, grabbed_->before);
 }
 
-void ProjectionTool::clicked(const MapPoint& at) {
-  letGo();
-  Q_EMIT chosen(indexAt(at));
+geometry::WorldRect ProjectionTool::newOne() const {
+  geometry::WorldRect rect;
+  if (!dragging() || grabbed_) return rect;
+  rect.extend(hold()->from.world_m);
+  rect.extend(hold()->to.world_m);
+  return rect;
 }
 
 void ProjectionTool::hovered(const MapPoint& at) {
@@ -135,19 +97,11 @@ void ProjectionTool::hovered(const MapPoint& at) {
 }
 
 bool ProjectionTool::keyPressed(const MapKeyPress& press) {
-  if (press.key == Qt::Key_Escape) {
-    if (hold_) {
-      dragCancelled();
-    } else {
-      Q_EMIT finished();
-    }
-    return true;
-  }
   if (editable_ && !press.repeats && press.key == Qt::Key_Delete && draft_->selected()) {
     Q_EMIT removeWanted();
     return true;
   }
-  return false;
+  return DragTool::keyPressed(press);
 }
 
 QString ProjectionTool::hint() const {
@@ -157,10 +111,8 @@ QString ProjectionTool::hint() const {
   }
   if (!takes_) return tr("Projections cannot be set on this robot: click one to select it. Esc leaves.");
   if (!editable_) return tr("Click a projection to select it. Esc leaves.");
-  if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
-    return tr("%1 x %2").arg(scene::lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
-                             scene::lengthText(std::abs(hold_->to_m.y() - hold_->from_m.y())));
-  }
+  if (const geometry::WorldRect rect = newOne(); rect.width() > 0 || rect.height() > 0)
+    return tr("%1 x %2").arg(scene::lengthText(rect.width()), scene::lengthText(rect.height()));
   if (const map::Projection* const one = draft_->selectedOne()) {
     return tr("%1 x %2. Drag it or its edges; Delete removes it. Esc leaves.")
         .arg(scene::lengthText(one->size_m.x()), scene::lengthText(one->size_m.y()));
@@ -169,18 +121,13 @@ QString ProjectionTool::hint() const {
 }
 
 void ProjectionTool::paint(QPainter& painter) {
-  const geometry::ViewTransform& view = scene_->view();
-  const QColor accent = scene_->theme().accent;
-  painter.save();
+  const QColor accent = theme().accent;
   painter.setRenderHint(QPainter::Antialiasing);
   std::vector<QRectF> plates;
   const auto draw = [&](const geometry::WorldRect& rect, bool strong, const QString& tag) {
-    const auto px = [&view](double x, double y) { return scene::toPoint(view.pixelFromWorld({x, y})); };
-    const std::array corners{px(rect.min_x, rect.min_y), px(rect.max_x, rect.min_y),
-                             px(rect.max_x, rect.max_y), px(rect.min_x, rect.max_y)};
-    QColor pale = accent;
-    pale.setAlpha(strong ? 50 : 16);
-    painter.setBrush(pale);
+    const std::array corners{px({rect.min_x, rect.min_y}), px({rect.max_x, rect.min_y}),
+                             px({rect.max_x, rect.max_y}), px({rect.min_x, rect.max_y})};
+    painter.setBrush(scene::translucent(accent, strong ? 50 : 16));
     painter.setPen(QPen(accent, strong ? 2.5 : 1.5, strong ? Qt::SolidLine : Qt::DashLine));
     painter.drawPolygon(corners.data(), int(corners.size()));
     if (strong && editable_) {
@@ -210,13 +157,7 @@ void ProjectionTool::paint(QPainter& painter) {
   if (const map::Projection* const one = draft_->selectedOne()) {
     draw(rectOf(*one), true, QString::number(*draft_->selected()));
   }
-  if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
-    geometry::WorldRect rect;
-    rect.extend(hold_->from_m);
-    rect.extend(hold_->to_m);
-    draw(rect, true, {});
-  }
-  painter.restore();
+  if (const geometry::WorldRect rect = newOne(); rect.width() > 0 || rect.height() > 0) draw(rect, true, {});
 }
 
 }  // namespace mapwright::window

@@ -3,15 +3,14 @@
 
 #include <optional>
 
-#include "scene/map_scene.h"
 #include "ui/clouds/projection_draft.h"
-#include "ui/view/map_tool.h"
+#include "ui/view/drag_tool.h"
 
 namespace mapwright::window {
 
 /// Drag on an empty part of the map: a new one. Click one: select it. Drag its edge, corner or inside: change
-/// it. Delete removes the selected one. Esc leaves.
-class ProjectionTool : public MapTool {
+/// it. Delete removes the selected one.
+class ProjectionTool : public DragTool {
   Q_OBJECT
  public:
   /// Both must outlive this. Call refresh() after changing the draft.
@@ -19,12 +18,6 @@ class ProjectionTool : public MapTool {
 
   QString name() const override { return QStringLiteral("projections"); }
   QCursor cursor() const override;
-  void deactivate() override;
-  bool pressed(const MapPoint& at) override;
-  void dragged(const MapPoint& at) override;
-  void released(const MapPoint& at) override;
-  void dragCancelled() override;
-  void clicked(const MapPoint& at) override;
   void hovered(const MapPoint& at) override;
   bool keyPressed(const MapKeyPress& press) override;
   void paint(QPainter& painter) override;
@@ -41,20 +34,25 @@ class ProjectionTool : public MapTool {
   void removeWanted();
 
  private:
-  struct Hold {
-    int index = -1;  // -1: a new one is drawn
-    RectGrip grip = RectGrip::None;
+  /// One that is dragged.
+  struct Grabbed {
+    int index;
+    RectGrip grip;
     map::Projection before;
-    Eigen::Vector2d from_m{0, 0}, to_m{0, 0};
   };
+  bool grab(const MapPoint& at) override;
+  void update(const MapPoint& at) override;
+  void finish(const MapPoint& at) override;
+  void cancel() override;
+  void click(const MapPoint& at) override { Q_EMIT chosen(indexAt(at)); }
   RectGrip gripOnChosen(const MapPoint& at) const;
   std::optional<int> indexAt(const MapPoint& at) const;
-  void letGo();
+  /// The new one that is being drawn.
+  geometry::WorldRect newOne() const;
 
-  const scene::MapScene* scene_;
   const ProjectionDraft* draft_;
   bool editable_ = false, takes_ = false;
-  std::optional<Hold> hold_;
+  std::optional<Grabbed> grabbed_;
   RectGrip under_ = RectGrip::None;
 };
 

@@ -1,31 +1,20 @@
 // Selects a box or a sphere on the map to fetch its cloud.
 #pragma once
 
-#include <optional>
-
-#include "geometry/rect.h"
-#include "scene/map_scene.h"
-#include "ui/view/map_tool.h"
+#include "ui/view/drag_tool.h"
 
 namespace mapwright::window {
 
 enum class RegionShape { Box, Sphere };
 
 /// Box: drag from corner to corner (its sides are parallel to the axes of the map, however the view is
-/// rotated). Sphere: drag from the centre to its edge. Esc leaves.
-class RegionTool : public MapTool {
+/// rotated). Sphere: drag from the centre to its edge.
+class RegionTool : public DragShapeTool {
   Q_OBJECT
  public:
-  explicit RegionTool(const scene::MapScene* scene, QObject* parent = nullptr);
+  using DragShapeTool::DragShapeTool;
 
   QString name() const override { return QStringLiteral("cloudRegion"); }
-  void deactivate() override;
-  bool pressed(const MapPoint& at) override;
-  void dragged(const MapPoint& at) override;
-  void released(const MapPoint& at) override;
-  void dragCancelled() override;
-  bool keyPressed(const MapKeyPress& press) override;
-  void paint(QPainter& painter) override;
   QString hint() const override;
 
   void setShape(RegionShape shape);
@@ -36,10 +25,10 @@ class RegionTool : public MapTool {
   void sphereDrawn(const Eigen::Vector2d& centre_m, double radius_m);
 
  private:
-  void forget();
-  const scene::MapScene* scene_;
+  bool circle() const override { return shape_ == RegionShape::Sphere; }
+  void draw(const Span& span) override;
+
   RegionShape shape_ = RegionShape::Box;
-  std::optional<Eigen::Vector2d> from_, to_;
 };
 
 }  // namespace mapwright::window
