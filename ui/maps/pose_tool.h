@@ -4,28 +4,19 @@
 #include <optional>
 
 #include "geometry/pose.h"
-#include "scene/map_scene.h"
-#include "ui/view/map_tool.h"
+#include "ui/view/drag_tool.h"
 
 namespace mapwright::window {
 
-class PoseTool : public MapTool {
+class PoseTool : public DragTool {
   Q_OBJECT
  public:
-  /// `scene` must outlive this.
-  explicit PoseTool(const scene::MapScene* scene, QObject* parent = nullptr);
+  using DragTool::DragTool;
 
   /// What is drawn; nullopt: nothing.
   void setPose(const std::optional<geometry::Pose2>& pose);
 
   QString name() const override { return QStringLiteral("setPose"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
-  bool pressed(const MapPoint& at) override;
-  void dragged(const MapPoint& at) override;
-  void released(const MapPoint& at) override;
-  void dragCancelled() override;
-  void clicked(const MapPoint& at) override;
-  bool keyPressed(const MapKeyPress& press) override;
   void paint(QPainter& painter) override;
   QString hint() const override;
 
@@ -35,10 +26,13 @@ class PoseTool : public MapTool {
   void takenBack(const std::optional<mapwright::geometry::Pose2>& pose);
 
  private:
-  const scene::MapScene* scene_;
+  bool grab(const MapPoint& at) override;
+  void update(const MapPoint& at) override;
+  void cancel() override;
+  void click(const MapPoint& at) override;
+
   std::optional<geometry::Pose2> pose_;
-  std::optional<geometry::Pose2> before_;
-  std::optional<Eigen::Vector2d> from_m_;  // of a drag
+  std::optional<geometry::Pose2> before_;  // the drag
 };
 
 }  // namespace mapwright::window

@@ -8,16 +8,14 @@
 #include "geometry/pose.h"
 #include "map/grid_reference.h"
 #include "placing/align.h"
-#include "scene/map_scene.h"
-#include "ui/view/map_tool.h"
+#include "ui/view/drag_tool.h"
 
 namespace mapwright::window {
 
-class ReferenceTool : public MapTool {
+class ReferenceTool : public DragTool {
   Q_OBJECT
  public:
-  /// `scene` must outlive this.
-  explicit ReferenceTool(const scene::MapScene* scene, QObject* parent = nullptr);
+  using DragTool::DragTool;
 
   /// What is laid at present.
   void setState(const map::GridReference& grid, const geometry::Pose2& world_from_map,
@@ -28,13 +26,7 @@ class ReferenceTool : public MapTool {
   QString name() const override { return QStringLiteral("reference"); }
   QCursor cursor() const override { return pairing_ ? Qt::CrossCursor : Qt::SizeAllCursor; }
   void deactivate() override;
-  bool pressed(const MapPoint& at) override;
-  void dragged(const MapPoint& at) override;
-  void released(const MapPoint& at) override;
-  void dragCancelled() override;
-  void clicked(const MapPoint& at) override;
   void hovered(const MapPoint& at) override;
-  bool keyPressed(const MapKeyPress& press) override;
   void paint(QPainter& painter) override;
   QString hint() const override;
 
@@ -47,21 +39,20 @@ class ReferenceTool : public MapTool {
   void refused(const QString& why);
 
  private:
-  struct Hold {
-    geometry::Pose2 before;
-    Eigen::Vector2d from_m, pivot_m;
-    bool turns;
-  };
-
+  bool grab(const MapPoint& at) override;
+  void update(const MapPoint& at) override;
+  void cancel() override;
+  void click(const MapPoint& at) override;
+  bool stepBack() override;
   /// Of the cells, as a hand can hit them.
   bool isOnMap(const Eigen::Vector2d& world_m) const;
 
-  const scene::MapScene* scene_;
   map::GridReference grid_;  // of the map, in its own coordinates
   geometry::Pose2 pose_;
   std::vector<placing::PointPair> pairs_;
   bool pairing_ = false;
-  std::optional<Hold> hold_;
+  geometry::Pose2 before_;                  // the drag
+  Eigen::Vector2d pivot_m_{0, 0};           // where the middle of the view was then
   std::optional<Eigen::Vector2d> first_m_;  // of a pair: on the reference map, where it lies now
   std::optional<Eigen::Vector2d> cursor_m_;
 };
