@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <QPainter>
-
-#include "scene/drawing.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -37,7 +34,7 @@ BecomesLook becomesLook(picture::Kind kind) {
 }
 
 PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent)
-    : MapTool(parent), editing_(editing), scene_(scene) {
+    : DragTool(scene, parent), editing_(editing) {
   connect(editing_, &PictureEditing::stateChanged, this, [this] { tell(); });
   connect(editing_, &PictureEditing::tooLarge, this, [this] {
     Q_EMIT refused(
@@ -47,7 +44,8 @@ PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObjec
 
 void PictureTool::setMode(PaintMode mode) {
   if (mode == mode_) return;
-  giveUp();
+  dragCancelled();
+  corners_.clear();
   mode_ = mode;
   Q_EMIT modeChanged();
   tell();
@@ -56,81 +54,51 @@ void PictureTool::setMode(PaintMode mode) {
 void PictureTool::activate() { Q_EMIT activated(); }
 
 void PictureTool::deactivate() {
-  giveUp();
+  DragTool::deactivate();
+  corners_.clear();
   hand_.reset();
   editing_->select({});
   editing_->dropPreview();
 }
 
-void PictureTool::giveUp() {
-  editing_->endStroke();
-  from_.reset();
-  corners_.clear();
-  taken_hold_ = false;
-  Q_EMIT changed();
-}
-
-bool PictureTool::pressed(const MapPoint& at) {
+bool PictureTool::grab(const MapPoint& at) {
   hand_ = at.world_m;
   if (!editing_->isOpen()) return false;
-  begin(at);
-  return true;
-}
-
-void PictureTool::begin(const MapPoint& at) {
-  from_ = at.world_m;
-  taken_hold_ = false;
+  on_selection_ = false;
   if (mode_ == PaintMode::Brush || mode_ == PaintMode::Eraser) {
     editing_->beginStroke(mode_ == PaintMode::Eraser);
     editing_->strokeTo(at.world_m);
   } else if (mode_ == PaintMode::Select) {
     const Eigen::Vector2d cell = editing_->cellAt(at.world_m);
-    taken_hold_ = editing_->selection().contains(int(std::floor(cell.x())), int(std::floor(cell.y())));
+    on_selection_ = editing_->selection().contains(int(std::floor(cell.x())), int(std::floor(cell.y())));
     copies_ = (at.modifiers & Qt::ControlModifier) != 0;
   }
   Q_EMIT changed();
+  return true;
 }
 
-void PictureTool::dragged(const MapPoint& at) {
+void PictureTool::update(const MapPoint& at) {
   hand_ = at.world_m;
   if (editing_->stroking()) editing_->strokeTo(at.world_m);
-  if (mode_ == PaintMode::Select && from_ && !taken_hold_)
-    editing_->select(editing_->cellsBetween(*from_, at.world_m));
+  if (mode_ == PaintMode::Select && !on_selection_)
+    editing_->select(editing_->cellsBetween(hold()->from.world_m, at.world_m));
   copies_ = (at.modifiers & Qt::ControlModifier) != 0;
-  Q_EMIT changed();
 }
 
-void PictureTool::released(const MapPoint& at) {
-  if (editing_->stroking()) editing_->strokeTo(at.world_m);
-  end(at);
+void PictureTool::click(const MapPoint& at) {
+  if (!hold()) return;  // it was not open
+  if (mode_ == PaintMode::Select) return editing_->select({});
+  const bool closes = mode_ == PaintMode::Polygon && corners_.size() > 2 &&
+                      QLineF(px(corners_.front()), px(at.world_m)).length() < kLeastCornersPx;
+  if (closes) return editing_->drawPolygon(std::exchange(corners_, {}));
+  finish(at);
 }
 
-void PictureTool::clicked(const MapPoint& at) {
-  if (!editing_->isOpen()) return;
-  if (mode_ == PaintMode::Polygon) {
-    from_.reset();
-    const bool closes =
-        corners_.size() > 2 && QLineF(px(corners_.front()), px(at.world_m)).length() < kLeastCornersPx;
-    if (closes) {
-      editing_->drawPolygon(std::exchange(corners_, {}));
-    } else {
-      corners_.push_back(at.world_m);
-    }
-  } else if (mode_ == PaintMode::Select) {
-    from_.reset();
-    editing_->select({});
-  } else {
-    end(at);
-  }
-  tell();
-}
-
-void PictureTool::end(const MapPoint& at) {
+void PictureTool::finish(const MapPoint& at) {
   hand_ = at.world_m;
   editing_->endStroke();
-  if (!from_) return;
   const auto [columns, rows] = movedBy();
-  const Eigen::Vector2d from = *std::exchange(from_, std::nullopt);
+  const Eigen::Vector2d from = hold()->from.world_m;
   switch (mode_) {
     case PaintMode::Line:
       editing_->drawLine(from, at.world_m);
@@ -145,18 +113,11 @@ void PictureTool::end(const MapPoint& at) {
       editing_->fill(at.world_m);
       break;
     case PaintMode::Select:
-      if (std::exchange(taken_hold_, false)) editing_->moveSelection(columns, rows, copies_);
+      if (on_selection_) editing_->moveSelection(columns, rows, copies_);
       break;
     default:
       break;
   }
-  tell();
-}
-
-void PictureTool::dragCancelled() {
-  const auto corners = corners_;
-  giveUp();
-  corners_ = corners;
 }
 
 void PictureTool::hovered(const MapPoint& at) {
@@ -169,23 +130,24 @@ void PictureTool::left() {
   Q_EMIT changed();
 }
 
+bool PictureTool::stepBack() {
+  if (!corners_.empty()) {
+    corners_.clear();
+  } else if (editing_->reckoning()) {
+    editing_->stop();
+  } else if (editing_->preview() || editing_->looking()) {
+    editing_->dropPreview();
+  } else if (!editing_->selection().empty()) {
+    editing_->select({});
+  } else {
+    return false;
+  }
+  return true;
+}
+
 bool PictureTool::keyPressed(const MapKeyPress& press) {
   const bool ctrl = (press.modifiers & Qt::ControlModifier) != 0;
   switch (press.key) {
-    case Qt::Key_Escape:
-      if (busy()) {
-        giveUp();
-      } else if (editing_->reckoning()) {
-        editing_->stop();
-      } else if (editing_->preview() || editing_->looking()) {
-        editing_->dropPreview();
-      } else if (!editing_->selection().empty()) {
-        editing_->select({});
-      } else {
-        Q_EMIT finished();
-      }
-      Q_EMIT hintChanged();
-      return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
       if (corners_.size() > 2) {
@@ -226,18 +188,14 @@ bool PictureTool::keyPressed(const MapKeyPress& press) {
       return true;
     }
     default:
-      return false;
+      return DragTool::keyPressed(press);
   }
 }
 
 std::pair<int, int> PictureTool::movedBy() const {
-  if (!from_ || !hand_) return {0, 0};
-  const Eigen::Vector2d moved = editing_->cellAt(*hand_) - editing_->cellAt(*from_);
+  if (!hold() || !hand_) return {0, 0};
+  const Eigen::Vector2d moved = editing_->cellAt(*hand_) - editing_->cellAt(hold()->from.world_m);
   return {int(std::lround(moved.x())), int(std::lround(moved.y()))};
-}
-
-QPointF PictureTool::px(const Eigen::Vector2d& world_m) const {
-  return scene::toPoint(scene_->view().pixelFromWorld(world_m));
 }
 
 QPolygonF PictureTool::outline(const picture::CellRect& rect) const {
@@ -270,7 +228,7 @@ void PictureTool::paintPreview(QPainter& painter) const {
                 down = px(grid.worldFromCell({0, 1})) - corner;
   const double cell_px = std::hypot(across.x(), across.y());
   const double wider = cell_px > 0 ? std::max(0.0, (kLeastMarkPx / cell_px - 1) / 2) : 0;
-  const geometry::WorldRect visible = scene_->view().visibleWorld();
+  const geometry::WorldRect visible = scene().view().visibleWorld();
   picture::CellRect seen;
   for (const double x : {visible.min_x, visible.max_x}) {
     for (const double y : {visible.min_y, visible.max_y})
@@ -303,7 +261,7 @@ void PictureTool::paintPreview(QPainter& painter) const {
 
 void PictureTool::paintSelection(QPainter& painter) const {
   if (editing_->selection().empty()) return;
-  const auto [columns, rows] = moving() ? movedBy() : std::pair{0, 0};
+  const auto [columns, rows] = hold() && on_selection_ ? movedBy() : std::pair{0, 0};
   const QPolygonF frame = outline(editing_->selection().moved(columns, rows));
   painter.setPen(QPen(QColor(255, 255, 255, 220), 3));
   painter.setBrush(Qt::NoBrush);
@@ -323,11 +281,12 @@ void PictureTool::paintShape(QPainter& painter) const {
     strokeTwice(painter, [&] { painter.drawEllipse(shape.front(), 4, 4); });
     return;
   }
-  if (!from_ || !hand_) return;
+  if (!hold() || !hand_) return;
+  const Eigen::Vector2d& from = hold()->from.world_m;
   if (mode_ == PaintMode::Rectangle) {
-    strokeTwice(painter, [&] { painter.drawPolygon(outline(editing_->cellsBetween(*from_, *hand_))); });
+    strokeTwice(painter, [&] { painter.drawPolygon(outline(editing_->cellsBetween(from, *hand_))); });
   } else if (mode_ == PaintMode::Line) {
-    strokeTwice(painter, [&] { painter.drawLine(px(*from_), px(*hand_)); });
+    strokeTwice(painter, [&] { painter.drawLine(px(from), px(*hand_)); });
   }
 }
 
@@ -337,7 +296,7 @@ void PictureTool::paintBrush(QPainter& painter) const {
   const int across = editing_->across();
   const map::GridReference& grid = editing_->reference();
   const Eigen::Vector2d centre = grid.worldFromCell(picture::brushCentre(editing_->cellAt(*hand_), across));
-  const double radius = across / 2.0 * grid.resolution_m / scene_->view().scale_m_per_px;
+  const double radius = across / 2.0 * grid.resolution_m / scene().view().scale_m_per_px;
   strokeTwice(painter,
               [&] { painter.drawEllipse(px(centre), std::max(radius, 2.0), std::max(radius, 2.0)); });
 }

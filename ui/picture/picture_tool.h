@@ -5,9 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "scene/map_scene.h"
 #include "ui/picture/picture_editing.h"
-#include "ui/view/map_tool.h"
+#include "ui/view/drag_tool.h"
 
 namespace mapwright::window {
 
@@ -22,7 +21,7 @@ BecomesLook becomesLook(picture::Kind kind);
 enum class PaintMode { Brush, Eraser, Line, Rectangle, Polygon, Fill, Select };
 inline constexpr int kPaintModes = 7;
 
-class PictureTool : public MapTool {
+class PictureTool : public DragTool {
   Q_OBJECT
  public:
   /// Both must outlive this.
@@ -35,11 +34,6 @@ class PictureTool : public MapTool {
   bool takesEveryPress() const override { return true; }
   void activate() override;
   void deactivate() override;
-  bool pressed(const MapPoint& at) override;
-  void dragged(const MapPoint& at) override;
-  void released(const MapPoint& at) override;
-  void dragCancelled() override;
-  void clicked(const MapPoint& at) override;
   void hovered(const MapPoint& at) override;
   void left() override;
   bool keyPressed(const MapKeyPress& press) override;
@@ -53,14 +47,14 @@ class PictureTool : public MapTool {
   void refused(const QString& why);
 
  private:
-  void begin(const MapPoint& at);
-  void end(const MapPoint& at);
-  void giveUp();
-  bool busy() const { return from_.has_value() || !corners_.empty(); }
-  bool moving() const { return from_ && taken_hold_; }
+  bool grab(const MapPoint& at) override;
+  void update(const MapPoint& at) override;
+  void finish(const MapPoint& at) override;
+  void cancel() override { editing_->endStroke(); }  // what is painted stays, as one step
+  void click(const MapPoint& at) override;
+  bool stepBack() override;
   /// Whole cells by which the selection has been dragged.
   std::pair<int, int> movedBy() const;
-  QPointF px(const Eigen::Vector2d& world_m) const;
   QPolygonF outline(const picture::CellRect& rect) const;
   void paintPreview(QPainter& painter) const;
   void paintSelection(QPainter& painter) const;
@@ -68,12 +62,11 @@ class PictureTool : public MapTool {
   void paintBrush(QPainter& painter) const;
 
   PictureEditing* editing_;
-  scene::MapScene* scene_;
   PaintMode mode_ = PaintMode::Brush;
-  std::optional<Eigen::Vector2d> from_, hand_;  // where the drag began, and the cursor. World metres
-  std::vector<Eigen::Vector2d> corners_;        // of the polygon
-  bool taken_hold_ = false;                     // of the selection
-  bool copies_ = false;                         // and leaves the original
+  std::optional<Eigen::Vector2d> hand_;   // the cursor, world metres
+  std::vector<Eigen::Vector2d> corners_;  // of the polygon
+  bool on_selection_ = false;             // the press
+  bool copies_ = false;                   // and leaves the original
 };
 
 }  // namespace mapwright::window
