@@ -5,10 +5,8 @@
 #include <utility>
 
 #include <QLocale>
-#include <QPainter>
 
 #include "geometry/pose.h"
-#include "scene/drawing.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "words/fixed.h"
 
@@ -23,19 +21,11 @@ constexpr std::size_t kMostTraces = 2'000;  // with more, individual paths are n
 
 QString metresOf(double value) { return words::fixed(value, 2); }
 
-void haloLine(QPainter& painter, const scene::MapTheme& theme, const QPointF& a, const QPointF& b,
-              Qt::PenStyle style) {
-  for (const auto& [color, width] : {std::pair(theme.text_halo, 3.5), std::pair(theme.accent, 1.5)}) {
-    painter.setPen(QPen(color, width, style, Qt::RoundCap));
-    painter.drawLine(a, b);
-  }
-}
-
 }  // namespace
 
 WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scene, const HitList* hits,
                            WaypointSnapping* snapping, QObject* parent)
-    : MapTool(parent), editing_(editing), scene_(scene), hits_(hits), snapping_(snapping) {
+    : DragTool(scene, parent), editing_(editing), hits_(hits), snapping_(snapping) {
   const auto look_anew = [this] {
     group_.reset();
     tell();
@@ -54,13 +44,13 @@ WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scen
 }
 
 QCursor WaypointTool::cursor() const {
-  if (drag_ != Drag::None) return Qt::ClosedHandCursor;
+  if (drag() != Drag::None) return Qt::ClosedHandCursor;
   if (hovered_) return Qt::PointingHandCursor;
   return editing_->editable() ? Qt::CrossCursor : Qt::ArrowCursor;
 }
 
 void WaypointTool::deactivate() {
-  dragCancelled();
+  DragTool::deactivate();
   hovered_.reset();
   landing_.reset();
 }
@@ -77,13 +67,11 @@ bool WaypointTool::onHandle(const MapPoint& at) const {
   return where && std::hypot(where->x() - at.px.x(), where->y() - at.px.y()) <= kReachPx;
 }
 
-bool WaypointTool::pressed(const MapPoint& at) {
+bool WaypointTool::grab(const MapPoint& at) {
   drag_ = Drag::None;
   nudging_ = 0;
   pressed_on_one_ = true;
   landing_.reset();
-  press_m_ = at.world_m;
-  press_px_ = now_px_ = at.px;
   if (onHandle(at)) {
     pressed_on_one_ = false;
     grabbed_ = *editing_->selected().begin();
@@ -108,27 +96,16 @@ bool WaypointTool::pressed(const MapPoint& at) {
   return drag_ != Drag::None;
 }
 
-void WaypointTool::dragged(const MapPoint& at) {
-  now_px_ = at.px;
-  switch (drag_) {
-    case Drag::None:
-      return;
-    case Drag::Frame:
-      tell();
-      return;
-    case Drag::Move:
-      return move(at);
-    case Drag::Turn:
-      return turn(at);
-    case Drag::TurnGroup:
-      return turnGroup(at);
-  }
+void WaypointTool::update(const MapPoint& at) {
+  if (drag_ == Drag::Move) move(at);
+  if (drag_ == Drag::Turn) turn(at);
+  if (drag_ == Drag::TurnGroup) turnGroup(at);
 }
 
 void WaypointTool::move(const MapPoint& at) {
   const map::Waypoint* const grabbed = editing_->find(grabbed_);
   if (!grabbed) return;
-  const Eigen::Vector2d free = grabbed->position_m + (at.world_m - press_m_);
+  const Eigen::Vector2d free = grabbed->position_m + (at.world_m - hold()->from.world_m);
   snapped_ = snapping_->place(free, at.modifiers, [this](const Hit& hit) {
     return hit.layer == scene::Layer::Waypoints && editing_->selected().contains(hit.key);
   });
@@ -165,9 +142,8 @@ void WaypointTool::turnGroup(const MapPoint& at) {
     spots.push_back({point.position_m, point.yaw_rad});
   }
   const Eigen::Vector2d pivot = placing::middleOf(spots);
-  const Eigen::Vector2d from = press_m_ - pivot, towards = at.world_m - pivot;
-  if (towards.norm() <= 0) return;
-  double by = geometry::normalizeAngle(std::atan2(towards.y(), towards.x()) - std::atan2(from.y(), from.x()));
+  if (at.world_m == pivot) return;
+  double by = turnAround(pivot, hold()->from.world_m, at.world_m);
   if (at.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) by = snapping_->heading(by, at.modifiers);
   turned_by_rad_ = by;
   spots = placing::turned(std::move(spots), pivot, by);
@@ -178,52 +154,39 @@ void WaypointTool::turnGroup(const MapPoint& at) {
 }
 
 std::set<edit::Key> WaypointTool::inFrame() const {
-  const geometry::ViewTransform& view = scene_->view();
-  const QRectF frame = QRectF(press_px_, now_px_).normalized();
+  const geometry::ViewTransform& view = scene().view();
+  const QRectF frame = this->frame();
   geometry::WorldRect around;  // for a rotated view more than the frame
   for (const QPointF& corner : {frame.topLeft(), frame.topRight(), frame.bottomLeft(), frame.bottomRight()})
     around.extend(view.worldFromPixel({corner.x(), corner.y()}));
   std::set<edit::Key> keys;
   hits_->within(around, [&](const Hit& hit) {
-    if (hit.layer == scene::Layer::Waypoints &&
-        frame.contains(scene::toPoint(view.pixelFromWorld(hit.world_m))))
-      keys.insert(hit.key);
+    if (hit.layer == scene::Layer::Waypoints && frame.contains(px(hit.world_m))) keys.insert(hit.key);
   });
   return keys;
 }
 
-void WaypointTool::released(const MapPoint& at) {
-  dragged(at);
-  const Drag drag = std::exchange(drag_, Drag::None);
-  if (drag == Drag::Frame) {
+void WaypointTool::finish(const MapPoint&) {
+  snapped_ = {};
+  if (drag_ == Drag::Frame) {
     std::set<edit::Key> keys = inFrame();
     keys.insert(editing_->selected().begin(), editing_->selected().end());
-    editing_->select(std::move(keys));
-    return endDrag();
+    return editing_->select(std::move(keys));
   }
   const map::Waypoint* const one = editing_->find(grabbed_);
   const auto count = editing_->preview().size();
   if (one && count > 0) {
     const QString what = count == 1 ? shortWaypointName(*one) : waypointsText(qsizetype(count));
-    editing_->applyPreview((drag == Drag::Move ? tr("move %1") : tr("turn %1")).arg(what));
+    editing_->applyPreview((drag_ == Drag::Move ? tr("move %1") : tr("turn %1")).arg(what));
   }
-  endDrag();
 }
 
-void WaypointTool::dragCancelled() {
-  drag_ = Drag::None;
-  editing_->setPreview({});
-  endDrag();
-}
-
-void WaypointTool::endDrag() {
-  drag_ = Drag::None;
+void WaypointTool::cancel() {
   snapped_ = {};
-  tell();
+  editing_->setPreview({});
 }
 
-void WaypointTool::clicked(const MapPoint& at) {
-  drag_ = Drag::None;
+void WaypointTool::click(const MapPoint& at) {
   landing_.reset();
   if (pressed_on_one_) {
     if (!(at.modifiers & Qt::ShiftModifier) && under(at) == std::optional(grabbed_))
@@ -270,42 +233,28 @@ bool WaypointTool::doubleClicked(const MapPoint& at) {
 }
 
 bool WaypointTool::nudge(const MapKeyPress& press) {
-  const Eigen::Vector2d screen(press.key == Qt::Key_Left    ? -1
-                               : press.key == Qt::Key_Right ? 1
-                                                            : 0,
-                               press.key == Qt::Key_Up     ? 1
-                               : press.key == Qt::Key_Down ? -1
-                                                           : 0);
   if (!editing_->editable() || editing_->selected().empty()) return false;
-  // Along the axis of the map closest to the key's direction.
-  const double turned = -scene_->view().rotation_rad;
-  Eigen::Vector2d world(std::cos(turned) * screen.x() - std::sin(turned) * screen.y(),
-                        std::sin(turned) * screen.x() + std::cos(turned) * screen.y());
-  world = std::abs(world.x()) >= std::abs(world.y()) ? Eigen::Vector2d(std::copysign(1.0, world.x()), 0)
-                                                     : Eigen::Vector2d(0, std::copysign(1.0, world.y()));
   if (nudging_ == 0 || nudged_ != editing_->selected()) {
     nudging_ = editing_->newGesture();
     nudged_ = editing_->selected();
   }
-  editing_->moveSelected(world * editing_->cell() * (press.modifiers & Qt::ShiftModifier ? kFarCells : 1),
+  editing_->moveSelected(arrowStep(scene().view(), press.key) * editing_->cell() *
+                             (press.modifiers & Qt::ShiftModifier ? kFarCells : 1),
                          nudging_);
   return true;
 }
 
+bool WaypointTool::stepBack() {
+  const bool any = !editing_->selected().empty();
+  editing_->select({});
+  return any;
+}
+
 bool WaypointTool::keyPressed(const MapKeyPress& press) {
   switch (press.key) {
-    case Qt::Key_Escape:
-      if (drag_ != Drag::None) {
-        dragCancelled();
-      } else if (!editing_->selected().empty()) {
-        editing_->select({});
-      } else {
-        Q_EMIT finished();
-      }
-      return true;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-      if (drag_ == Drag::None) editing_->removeSelected();
+      if (drag() == Drag::None) editing_->removeSelected();
       return true;
     case Qt::Key_F2:
       if (editing_->editable() && editing_->only())
@@ -316,9 +265,9 @@ bool WaypointTool::keyPressed(const MapKeyPress& press) {
     case Qt::Key_Right:
     case Qt::Key_Up:
     case Qt::Key_Down:
-      return drag_ != Drag::None || nudge(press);
+      return hold() || nudge(press);
     default:
-      return false;
+      return DragTool::keyPressed(press);
   }
 }
 
@@ -337,28 +286,17 @@ const WaypointTool::Group& WaypointTool::group() const {
   return *group_;
 }
 
-std::optional<QPointF> WaypointTool::groupHandle() const {
-  const geometry::WorldRect& bounds = group().bounds;
-  if (bounds.empty()) return std::nullopt;
-  const geometry::ViewTransform& view = scene_->view();
-  double top = 1e9;
-  for (const double x : {bounds.min_x, bounds.max_x}) {
-    for (const double y : {bounds.min_y, bounds.max_y}) top = std::min(top, view.pixelFromWorld({x, y}).y());
-  }
-  const QPointF pivot = scene::toPoint(view.pixelFromWorld(group().pivot_m));
-  // Reachable whenever the middle is on screen, however large the group.
-  const double y = std::max(top - kHandlePx, std::min(kInsidePx * 3, pivot.y() - kHandlePx));
-  return QPointF(pivot.x(), y);
-}
-
 std::optional<QPointF> WaypointTool::handle() const {
   if (!editing_->editable() || editing_->selected().empty()) return std::nullopt;
-  if (editing_->selected().size() > 1) return drag_ == Drag::TurnGroup ? now_px_ : groupHandle();
+  if (editing_->selected().size() > 1) {
+    if (drag() == Drag::TurnGroup) return hold()->to.px;
+    if (group().bounds.empty()) return std::nullopt;
+    return turnHandle(scene().view(), group().bounds, group().pivot_m, kHandlePx);
+  }
   const auto point = editing_->spotOf(*editing_->selected().begin());
   if (!point) return std::nullopt;
-  const double heading = point->yaw_rad.value_or(0) + scene_->view().rotation_rad;
-  return scene::toPoint(scene_->view().pixelFromWorld(point->position_m)) +
-         QPointF(std::cos(heading), -std::sin(heading)) * kHandlePx;
+  const double heading = point->yaw_rad.value_or(0) + scene().view().rotation_rad;
+  return px(point->position_m) + QPointF(std::cos(heading), -std::sin(heading)) * kHandlePx;
 }
 
 std::vector<QRectF> WaypointTool::covered() const {
@@ -366,7 +304,7 @@ std::vector<QRectF> WaypointTool::covered() const {
   if (!grip) return {};
   std::vector<QRectF> areas{scene::squareAround(*grip, kHandleRadiusPx + 2)};
   if (const map::Waypoint* const only = editing_->only()) {
-    const QPointF from = scene::toPoint(scene_->view().pixelFromWorld(only->position_m));
+    const QPointF from = px(only->position_m);
     areas.push_back(scene::squareAround((from + *grip) / 2, kHandleRadiusPx));  // of its line
   }
   return areas;
@@ -374,78 +312,64 @@ std::vector<QRectF> WaypointTool::covered() const {
 
 void WaypointTool::paint(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
-  if (drag_ == Drag::Frame) return paintFrame(painter);
-  if (drag_ == Drag::Move || drag_ == Drag::TurnGroup) paintMoved(painter);
-  if (drag_ == Drag::Move) return snapping_->paint(painter, snapped_);
-  if (landing_ && drag_ == Drag::None) snapping_->paint(painter, *landing_);
+  const Drag drag = this->drag();
+  if (drag == Drag::Frame) return paintFrame(painter, theme(), frame());
+  if (drag == Drag::Move || drag == Drag::TurnGroup) paintMoved(painter);
+  if (drag == Drag::Move) return snapping_->paint(painter, snapped_);
+  if (landing_ && drag == Drag::None) snapping_->paint(painter, *landing_);
   const auto grip = handle();
   if (!grip) return;
   editing_->only() ? paintHeading(painter, *grip) : paintGroup(painter, *grip);
 }
 
 void WaypointTool::paintMoved(QPainter& painter) const {
-  const scene::MapTheme& theme = scene_->theme();
   if (editing_->preview().size() > kMostTraces) return;
   for (const auto& [key, to] : editing_->preview()) {
     const map::Waypoint* const from = editing_->find(key);
     if (!from) continue;
-    const QPointF a = scene::toPoint(scene_->view().pixelFromWorld(from->position_m)),
-                  b = scene::toPoint(scene_->view().pixelFromWorld(to.position_m));
-    haloLine(painter, theme, a, b, Qt::DashLine);
-    painter.setPen(QPen(theme.accent, 1.5));
+    const QPointF a = px(from->position_m);
+    lineWithHalo(painter, theme(), a, px(to.position_m), Qt::DashLine);
+    painter.setPen(QPen(theme().accent, 1.5));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(a, 4, 4);
   }
 }
 
 void WaypointTool::paintHeading(QPainter& painter, const QPointF& grip) const {
-  const scene::MapTheme& theme = scene_->theme();
   const map::Waypoint* const only = editing_->only();
-  const bool has_heading = only->yaw_rad || drag_ == Drag::Turn;
-  const QPointF from = scene::toPoint(scene_->view().pixelFromWorld(only->position_m));
-  haloLine(painter, theme, from, grip, has_heading ? Qt::SolidLine : Qt::DotLine);
-  painter.setPen(QPen(theme.accent, 2));
-  painter.setBrush(has_heading ? QBrush(theme.accent) : QBrush(theme.text_halo));
+  const bool has_heading = only->yaw_rad || drag() == Drag::Turn;
+  lineWithHalo(painter, theme(), px(only->position_m), grip, has_heading ? Qt::SolidLine : Qt::DotLine);
+  painter.setPen(QPen(theme().accent, 2));
+  painter.setBrush(has_heading ? theme().accent : theme().text_halo);
   painter.drawEllipse(grip, kHandleRadiusPx, kHandleRadiusPx);
 }
 
 void WaypointTool::paintGroup(QPainter& painter, const QPointF& grip) const {
-  const scene::MapTheme& theme = scene_->theme();
-  const QPointF pivot = scene::toPoint(scene_->view().pixelFromWorld(group().pivot_m));
-  haloLine(painter, theme, pivot, grip, Qt::DotLine);
-  painter.setPen(QPen(theme.accent, 1.5));
-  painter.setBrush(theme.text_halo);
+  const QPointF pivot = px(group().pivot_m);
+  lineWithHalo(painter, theme(), pivot, grip, Qt::DotLine);
+  painter.setPen(QPen(theme().accent, 1.5));
+  painter.setBrush(theme().text_halo);
   painter.drawEllipse(pivot, 3, 3);
-  painter.setPen(QPen(theme.accent, 2));
-  painter.drawEllipse(grip, kHandleRadiusPx + 1, kHandleRadiusPx + 1);
+  paintGrip(painter, theme(), grip, kHandleRadiusPx + 1);
   // A circular arrow: for rotation.
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme.accent, 1.5, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(theme().accent, 1.5, Qt::SolidLine, Qt::RoundCap));
   const QRectF ring(grip - QPointF(3.5, 3.5), QSizeF(7, 7));
   painter.drawArc(ring, 40 * 16, 280 * 16);
   painter.drawLine(grip + QPointF(2.7, -2.2), grip + QPointF(4.4, -4.2));
 }
 
-void WaypointTool::paintFrame(QPainter& painter) const {
-  const scene::MapTheme& theme = scene_->theme();
-  QColor fill = theme.accent;
-  fill.setAlphaF(0.12F);
-  painter.setBrush(fill);
-  painter.setPen(QPen(theme.accent, 1.5));
-  painter.drawRect(QRectF(press_px_, now_px_).normalized());
-}
-
 QString WaypointTool::hint() const {
   if (!editing_->document()) return tr("There is no waypoint list here. Esc leaves.");
-  if (drag_ == Drag::Frame)
+  if (drag() == Drag::Frame)
     return tr("%1 in the frame. Esc cancels.").arg(waypointsText(qsizetype(inFrame().size())));
   if (!editing_->editable()) return editing_->whyNot();
-  if (drag_ == Drag::TurnGroup)
+  if (drag() == Drag::TurnGroup)
     return tr("Turned by %1. Shift turns by 15°, Esc cancels.").arg(yawText(turned_by_rad_));
-  if (drag_ == Drag::Turn && editing_->preview().contains(grabbed_))
+  if (drag() == Drag::Turn && editing_->preview().contains(grabbed_))
     return tr("Heading %1. Shift turns by 15°, Esc cancels.")
         .arg(yawText(editing_->preview().at(grabbed_).yaw_rad));
-  if (drag_ == Drag::Move && editing_->preview().contains(grabbed_)) {
+  if (drag() == Drag::Move && editing_->preview().contains(grabbed_)) {
     const Eigen::Vector2d at = editing_->preview().at(grabbed_).position_m;
     return tr("%1, %2 m. Ctrl: snap to the grid, Alt: no snapping, Esc cancels.")
         .arg(metresOf(at.x()), metresOf(at.y()));

@@ -5,15 +5,14 @@
 #include <optional>
 
 #include "placing/arrange.h"
-#include "scene/map_scene.h"
+#include "ui/view/drag_tool.h"
 #include "ui/view/hit_list.h"
-#include "ui/view/map_tool.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_snapping.h"
 
 namespace mapwright::window {
 
-class WaypointTool : public MapTool {
+class WaypointTool : public DragTool {
   Q_OBJECT
  public:
   /// How far from its waypoint the handle of the heading is, and from a group the one that turns it.
@@ -27,11 +26,6 @@ class WaypointTool : public MapTool {
   QCursor cursor() const override;
   void activate() override { Q_EMIT activated(); }
   void deactivate() override;
-  bool pressed(const MapPoint& at) override;
-  void dragged(const MapPoint& at) override;
-  void released(const MapPoint& at) override;
-  void dragCancelled() override;
-  void clicked(const MapPoint& at) override;
   void hovered(const MapPoint& at) override;
   void left() override;
   bool doubleClicked(const MapPoint& at) override;
@@ -49,6 +43,13 @@ class WaypointTool : public MapTool {
 
  private:
   enum class Drag { None, Move, Turn, TurnGroup, Frame };
+  bool grab(const MapPoint& at) override;
+  void update(const MapPoint& at) override;
+  void finish(const MapPoint& at) override;
+  void cancel() override;
+  void click(const MapPoint& at) override;
+  bool stepBack() override;
+  Drag drag() const { return hold() ? drag_ : Drag::None; }
   /// Several that are selected: about which place they turn, and where they are.
   struct Group {
     Eigen::Vector2d pivot_m{0, 0};
@@ -61,23 +62,17 @@ class WaypointTool : public MapTool {
   void turn(const MapPoint& at);
   void turnGroup(const MapPoint& at);
   std::set<edit::Key> inFrame() const;
-  void endDrag();
   const Group& group() const;
-  std::optional<QPointF> groupHandle() const;
   void paintMoved(QPainter& painter) const;
   void paintHeading(QPainter& painter, const QPointF& grip) const;
   void paintGroup(QPainter& painter, const QPointF& grip) const;
-  void paintFrame(QPainter& painter) const;
 
   WaypointEditing* editing_;
-  const scene::MapScene* scene_;
   const HitList* hits_;
   WaypointSnapping* snapping_;
-  Drag drag_ = Drag::None;
+  Drag drag_ = Drag::None;  // what the press that is held does
   edit::Key grabbed_;
   bool pressed_on_one_ = false;  // what went down on a waypoint is no click on the ground
-  Eigen::Vector2d press_m_{0, 0};
-  QPointF press_px_, now_px_;
   double turned_by_rad_ = 0;
   placing::SnappedPlace snapped_;                 // of what is dragged
   std::optional<placing::SnappedPlace> landing_;  // where a click would add one, when something catches it
