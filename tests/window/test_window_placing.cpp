@@ -13,6 +13,7 @@
 #include "ui/maps/export_controller.h"
 #include "ui/maps/maps_controller.h"
 #include "ui/view/map_overlay.h"
+#include "ui/waypoints/line_bar.h"
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_placing.h"

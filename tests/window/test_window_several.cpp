@@ -11,6 +11,7 @@
 
 #include "geometry/pose.h"
 #include "test_program.h"
+#include "ui/waypoints/line_bar.h"
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/mirror_tool.h"
 #include "ui/waypoints/rename_dialog.h"

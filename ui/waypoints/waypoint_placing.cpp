@@ -22,6 +22,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/decimal_place.h"
+#include "ui/waypoints/line_bar.h"
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_text.h"
