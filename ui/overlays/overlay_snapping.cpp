@@ -101,18 +101,19 @@ Snapped OverlaySnapping::place(const Eigen::Vector2d& free_m, Qt::KeyboardModifi
   return overlays::snapped(free_m, MapTool::kReachPx * scene_->view().scale_m_per_px, kinds_, around);
 }
 
-QString OverlaySnapping::nameOf(SnapTo to) {
+QString OverlaySnapping::hintOf(SnapTo to) {
+  const auto hint = [](const QString& what) { return tr("Snapped to %1 (Alt: not). ").arg(what); };
   switch (to) {
     case SnapTo::Vertex:
-      return tr("a point");
+      return hint(tr("a point"));
     case SnapTo::Edge:
-      return tr("an edge");
+      return hint(tr("an edge"));
     case SnapTo::Wall:
-      return tr("a wall of the map");
+      return hint(tr("a wall of the map"));
     case SnapTo::Angle:
-      return tr("an angle");
+      return hint(tr("an angle"));
     case SnapTo::Grid:
-      return tr("the grid");
+      return hint(tr("the grid"));
     case SnapTo::Nothing:
       break;
   }

@@ -37,8 +37,8 @@ class OverlaySnapping : public QObject {
                           double angle_step_deg = 15);
   /// Where it has snapped, and to what, in viewport pixels.
   void paint(QPainter& painter, const overlays::Snapped& place) const;
-  /// "a vertex"; empty: nothing.
-  static QString nameOf(overlays::SnapTo to);
+  /// "Snapped to a point (Alt: not). "; empty: to nothing.
+  static QString hintOf(overlays::SnapTo to);
 
  Q_SIGNALS:
   void changed();
