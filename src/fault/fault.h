@@ -1,5 +1,5 @@
-// Something wrong or odd, as a value: a code with its arguments. Each room declares its codes with their
-// English texts in its own faults.h; sentences::wordsOf turns them into sentences.
+// Something wrong or odd, as a value: a code with its arguments. A code is an English text and its room;
+// sentences::wordsOf turns faults into sentences.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +39,10 @@ struct FaultCode {
     return std::string_view(a.text) == b.text && std::string_view(a.room) == b.room;
   }
 };
+
+/// The code of a fault that is found in one place only, with its words there. What is compared, grouped or
+/// documented has a code with a name in the room's faults.h. lupdate reads this as QT_TRANSLATE_NOOP.
+constexpr FaultCode faultText(const char* room, const char* text) { return {room, text}; }
 
 /// What happens because of it.
 enum class Consequence {
