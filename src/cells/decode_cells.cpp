@@ -70,7 +70,9 @@ tl::expected<Texture, Fault> fromSingleBytes(std::span<const std::uint8_t> cells
     }
     return CellTexture::fromPairs(shape.width, shape.height, shape.resolution_m, pairs);
   }
-  return failure({fault::CellFormatUnknown, {words::grouped(cell_format)}});
+  return failure(
+      {faultText("cells", "cell format %1 is unknown: with one byte per cell only 0, 1 and 2 are supported"),
+       {words::grouped(cell_format)}});
 }
 
 /// Cells without a container.
@@ -88,8 +90,11 @@ tl::expected<Texture, Fault> fromPlain(std::span<const std::uint8_t> bytes, cons
 }
 
 Fault whyNotUnpacked(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
-  if (why == packed::UnpackFailure::TooLong) return wrongCount(fault::BytesTooMany, 2 * shape.cells(), shape);
-  return container == packed::Container::Gzip ? fault::GzipDamaged : fault::ZlibDamaged;
+  if (why == packed::UnpackFailure::TooLong)
+    return wrongCount(faultText("cells", "more than %1 bytes where %2 (or %3) were expected"),
+                      2 * shape.cells(), shape);
+  return container == packed::Container::Gzip ? fault::GzipDamaged
+                                              : faultText("cells", "the zlib data is damaged or cut off");
 }
 
 constexpr std::size_t kHeaderBytes = 33;      // signature and IHDR
@@ -110,7 +115,9 @@ struct PngFailure {
   bool is_png = false;  // a PNG of the wrong size or kind, and certainly not raw cells that look like one
 };
 
-PngFailure unreadable(int error) { return {{fault::PngNotReadBy, {spng_strerror(error)}}, false}; }
+PngFailure unreadable(int error) {
+  return {{faultText("cells", "the PNG cannot be read (%1)"), {spng_strerror(error)}}, false};
+}
 
 std::size_t channelsOf(std::uint8_t colour_type) {
   switch (colour_type) {
@@ -216,11 +223,11 @@ std::optional<packed::ByteBuffer> plainPicture(std::span<const std::uint8_t> byt
 tl::expected<packed::ByteBuffer, PngFailure> decodePngCells(std::span<const std::uint8_t> bytes, int width,
                                                             int height) {
   if (bytes.size() < kHeaderBytes) {
-    return tl::unexpected(PngFailure{fault::PngShort, false});
+    return tl::unexpected(PngFailure{faultText("cells", "the PNG header is cut off"), false});
   }
   const std::unique_ptr<spng_ctx, FreeContext> context(spng_ctx_new(0));
   if (context == nullptr) {
-    return tl::unexpected(PngFailure{fault::PngWithoutMemory, true});
+    return tl::unexpected(PngFailure{faultText("cells", "there is not enough memory to read the PNG"), true});
   }
   // No chunk can be longer than the file; without this limit a compressed text could still be unpacked
   // endlessly.
@@ -228,7 +235,7 @@ tl::expected<packed::ByteBuffer, PngFailure> decodePngCells(std::span<const std:
   if (spng_set_image_limits(context.get(), std::uint32_t(width), std::uint32_t(height)) != 0 ||
       spng_set_chunk_limits(context.get(), chunk_limit, std::max(chunk_limit, kAsideBytes)) != 0 ||
       spng_set_png_buffer(context.get(), bytes.data(), bytes.size()) != 0) {
-    return tl::unexpected(PngFailure{fault::PngNotRead, false});
+    return tl::unexpected(PngFailure{faultText("cells", "the PNG cannot be read"), false});
   }
   spng_ihdr header{};
   const int header_result = spng_get_ihdr(context.get(), &header);
@@ -239,9 +246,10 @@ tl::expected<packed::ByteBuffer, PngFailure> decodePngCells(std::span<const std:
   const std::uint32_t png_width = bigEndian(bytes, 16);
   const std::uint32_t png_height = bigEndian(bytes, 20);
   if (beyond_limits || png_width != std::uint32_t(width) || png_height != std::uint32_t(height)) {
-    return tl::unexpected(PngFailure{
-        {fault::PngOfOtherSize, {words::dimensions(png_width, png_height), words::dimensions(width, height)}},
-        true});
+    return tl::unexpected(
+        PngFailure{{faultText("cells", "the PNG is %1 but should be %2"),
+                    {words::dimensions(png_width, png_height), words::dimensions(width, height)}},
+                   true});
   }
 
   const std::size_t channels = channelsOf(header.color_type);
@@ -249,7 +257,7 @@ tl::expected<packed::ByteBuffer, PngFailure> decodePngCells(std::span<const std:
   const std::size_t picture_bytes = row_bytes * std::size_t(height);
   if (picture_bytes / packed::kMaxDeflateRatio > bytes.size()) {
     return tl::unexpected(
-        PngFailure{{fault::PngBytesTooFew,
+        PngFailure{{faultText("cells", "the PNG is cut off: %1 bytes are too few for %2 pixels"),
                     {words::grouped(std::int64_t(bytes.size())), words::dimensions(width, height)}},
                    false});
   }
@@ -292,19 +300,21 @@ tl::expected<packed::ByteBuffer, PngFailure> decodePngCells(std::span<const std:
 tl::expected<Texture, Fault> decodeCells(std::span<const std::uint8_t> bytes, int width, int height,
                                          double resolution_m, int cell_format) {
   if (width < 1 || height < 1) {
-    return failure({fault::TextureEmpty, {words::dimensions(width, height)}});
+    return failure(
+        {faultText("cells", "the texture claims to have %1 cells"), {words::dimensions(width, height)}});
   }
   if (std::int64_t(width) * std::int64_t(height) > kMaxCells) {
-    return failure({fault::TextureTooLarge, {words::dimensions(width, height), words::grouped(kMaxCells)}});
+    return failure({faultText("cells", "the texture claims to have %1 cells; at most %2 are allowed"),
+                    {words::dimensions(width, height), words::grouped(kMaxCells)}});
   }
   if (!std::isfinite(resolution_m) || resolution_m <= 0) {
-    return failure(fault::CellSizeNotPositive);
+    return failure(faultText("cells", "the cell size is not a positive number of metres"));
   }
   if (resolution_m < kMinResolutionM) {
-    return failure(fault::CellSizeTooSmall);
+    return failure(faultText("cells", "the cell size is less than 0.1 mm"));
   }
   if (resolution_m > kMaxResolutionM) {
-    return failure(fault::CellSizeTooLarge);
+    return failure(faultText("cells", "the cell size is more than 100 m"));
   }
   const Shape shape{width, height, resolution_m};
   const bool may_be_plain = bytes.size() == shape.cells() || bytes.size() == 2 * shape.cells();

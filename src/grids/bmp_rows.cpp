@@ -106,14 +106,16 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
   const std::uint8_t* info = start.data() + kFileHeader;
   const std::uint32_t info_bytes = dword(info);
   if (info_bytes == kCoreHeader || info_bytes < kInfoHeader) {
-    return unreadable({fault::BmpHeaderUnknown, {std::to_string(info_bytes)}});
+    return unreadable(
+        {faultText("grids", "This kind of BMP is not supported (its header has %1 bytes). Save it as PNG."),
+         {std::to_string(info_bytes)}});
   }
   BmpHeader header;
   PixelFormat& format = header.format;
   const std::int32_t width = std::int32_t(dword(info + 4)), height = std::int32_t(dword(info + 8));
   header.top_down = height < 0;
   const std::int64_t rows = height < 0 ? -std::int64_t(height) : height;
-  if (width < 0) return unreadable(fault::BmpWidthNegative);
+  if (width < 0) return unreadable(faultText("grids", "It is a BMP with a negative width."));
   if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(rows))) {
     return tl::unexpected(std::move(*problem));
   }
@@ -124,8 +126,15 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
   const int bits = header.bits;
   const bool bits_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
   if (!bits_known || !(compression == kUncompressed || (compression == kBitFields && bits == 32))) {
-    return unreadable({compression == kUncompressed ? fault::BmpBitsUnknown : fault::BmpCompressed,
-                       {std::to_string(bits)}});
+    return unreadable(
+        {compression == kUncompressed
+             ? faultText("grids",
+                         "It is a BMP with %1 bits per pixel; only 1, 4, 8, 24 and 32 bits, "
+                         "uncompressed, are supported. Save it as PNG.")
+             : faultText("grids",
+                         "It is a compressed BMP with %1 bits per pixel; only 1, 4, 8, 24 and 32 bits, "
+                         "uncompressed, are supported. Save it as PNG."),
+         {std::to_string(bits)}});
   }
   if (compression == kBitFields) {
     const bool in_header = info_bytes >= kMasksEnd;
@@ -134,7 +143,7 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
       return unreadable(fault::BmpHeaderShort);
     }
     if (!takeMasks(info + kInfoHeader, in_header, header)) {
-      return unreadable(fault::BmpColoursUneven);
+      return unreadable(faultText("grids", "It is a BMP whose colours are not whole bytes. Save it as PNG."));
     }
   }
   header.pixels_at = dword(start.data() + 10);
@@ -147,7 +156,7 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
     const std::uint32_t colours = said == 0 || said > most ? most : said;
     std::vector<std::uint8_t> palette(colours * 4);
     if (!bytes.readAt(kFileHeader + info_bytes, palette.data(), palette.size())) {
-      return unreadable(fault::BmpPaletteShort);
+      return unreadable(faultText("grids", "It is a BMP whose palette is cut off."));
     }
     format.gray = true;
     for (std::size_t n = 0; n < colours; ++n) {

@@ -136,7 +136,7 @@ class Quantiser {
 bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
 
 Fault tooLarge(const PixelFormat& format, std::int64_t max_cells) {
-  return {fault::PictureTooLargeForLayer,
+  return {faultText("grids", "It is %1 pixels, but at most %2 can be read."),
           {words::dimensions(format.width, format.height), words::grouped(max_cells)}};
 }
 

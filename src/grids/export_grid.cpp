@@ -253,9 +253,11 @@ std::optional<Fault> flawOf(const MapServerForm& form) {
   const map::CellReading reading = readingOf(form);
   const auto within = [](double threshold) { return threshold >= 0 && threshold <= 1; };
   if (!within(reading.occupied_thresh) || !within(reading.free_thresh))
-    return Fault(fault::ThresholdNotWithin);
+    return Fault(faultText("grids", "The thresholds of a map.yaml are numbers from 0 to 1."));
   if (form.mode != MapServerForm::Mode::Raw && !rangesOf(reading).unknown)
-    return Fault(fault::NoShadeForUnknown,
+    return Fault(faultText("grids",
+                           "Between the thresholds %1 (free) and %2 (occupied) there is no gray level for "
+                           "unknown cells."),
                  {numberText(reading.free_thresh), numberText(reading.occupied_thresh)});
   return std::nullopt;
 }

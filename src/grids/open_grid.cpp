@@ -107,7 +107,9 @@ std::optional<GridTile> KeptPyramid::tileAtHand(int level, int tile_x, int tile_
 
 Fault KeptPyramid::trouble() const {
   if (state_.load(std::memory_order_acquire) != State::Lost) return {};
-  return fault::CacheCopyLost;
+  return faultText("grids",
+                   "The cached copy is damaged and the picture can no longer be read: parts of "
+                   "it are missing. Open it again.");
 }
 
 /// Reads the whole picture again into memory. Null: its bytes are no longer available.
@@ -209,7 +211,10 @@ class PictureReading final : public GridReading {
     if (came == height && !problem.any()) return std::nullopt;
     const std::string size = words::dimensions(rows_->format().width, height);
     if (came == height) {
-      return Fault{fault::PictureDoubtful, {size}, {problem}};
+      return Fault{
+          faultText("grids", "It is %1 pixels and all rows are present, but %2. Some of it may be wrong."),
+          {size},
+          {problem}};
     }
     return Fault{fault::PictureEndsEarly, {words::grouped(came), size}, {problem}};
   }

@@ -113,9 +113,9 @@ class PlainRows final : public PictureRows {
     for (int u = 0; u < format_.width; ++u) {
       const long level = cursor_.number();
       if (level < 0 || level > format_.sample_max) {
-        problem_ = level >= 0                      ? fault::NumberBeyondGreatest
+        problem_ = level >= 0 ? faultText("grids", "a number exceeds the maximum in the header")
                    : cursor_.at() >= bytes_.size() ? fault::DataEnds
-                                                   : fault::NotANumber;
+                                                   : faultText("grids", "something in it is not a number");
         return nullptr;
       }
       if (format_.sample_bytes == 2) *out++ = std::uint8_t(level >> 8);
@@ -143,14 +143,16 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openPgm(ByteSource bytes) {
   for (long& number : head) {
     number = cursor.number();
     if (number < 0 || cursor.at() > kLongestHeader) {
-      return tl::unexpected(Fault(fault::PgmHeaderBroken));
+      return tl::unexpected(Fault(faultText("grids", "It is a PGM whose header is cut off or invalid.")));
     }
   }
   if (auto problem = whyNotThisSize(std::uint64_t(head[0]), std::uint64_t(head[1]))) {
     return tl::unexpected(std::move(*problem));
   }
   if (head[2] < 1 || head[2] > kLargestMaxval) {
-    return tl::unexpected(Fault(fault::PgmGreatestWrong, {std::to_string(head[2])}));
+    return tl::unexpected(
+        Fault(faultText("grids", "It is a PGM with a maximum gray of %1; it must be 1 to 65535."),
+              {std::to_string(head[2])}));
   }
   const PixelFormat format = formatOf(int(head[0]), int(head[1]), int(head[2]));
   const std::uint64_t at = cursor.at();

@@ -60,10 +60,14 @@ tl::expected<PngHeader, Fault> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
   if (auto problem = whyNotThisSize(width, height)) return tl::unexpected(std::move(*problem));
   const int depth = ihdr[8], colour_type = ihdr[9];
   if (!depthFits(colour_type, depth)) {
-    return refused({fault::PngKindUnknown, {std::to_string(colour_type), std::to_string(depth)}});
+    return refused(
+        {faultText("grids",
+                   "It is a PNG of colour type %1 with %2 bits per sample, which the format does not allow."),
+         {std::to_string(colour_type), std::to_string(depth)}});
   }
   if (ihdr[10] != 0 || ihdr[11] != 0 || ihdr[12] > 1) {
-    return refused(fault::PngMethodUnknown);
+    return refused(faultText(
+        "grids", "It is a PNG with a compression, filter or interlace method that does not exist."));
   }
   PngHeader header;
   header.bit_depth = depth;
@@ -129,12 +133,12 @@ tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
   const auto first = pngChunkAt(bytes, kSignatureBytes);
   if (!first) return refused(fault::PngHeaderShort);
   if (!first->is("IHDR") || first->length != kHeaderLength) {
-    return refused(fault::PngHeaderMisplaced);
+    return refused(faultText("grids", "It starts like a PNG, but its header is not in the right place."));
   }
   if (bytes.size() < kSignatureBytes + kHeaderLength + PngChunk::kAround)
     return refused(fault::PngHeaderShort);
   const auto ihdr = contentOf(bytes, kSignatureBytes, kHeaderLength);
-  if (!ihdr) return refused(fault::PngHeaderDamaged);
+  if (!ihdr) return refused(faultText("grids", "It is a PNG with a damaged header (wrong checksum)."));
   auto header = fromIhdr(*ihdr);
   if (!header) return header;
 
@@ -146,7 +150,7 @@ tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
     if (!chunk) return refused(fault::PngEndsBeforePixels);
     if (chunk->is("IDAT")) break;
     if (chunk->length > kLargestLength || chunk->is("IEND")) {
-      return refused(fault::PngWithoutPixels);
+      return refused(faultText("grids", "It is a PNG without pixels."));
     }
     const bool is_palette = chunk->is("PLTE");
     if ((is_palette && chunk->length <= kLargestPalette) || (chunk->is("tRNS") && chunk->length <= 256)) {
@@ -155,7 +159,10 @@ tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
       }
       const auto content = contentOf(bytes, at, chunk->length);
       if (!content) {
-        return refused(is_palette ? fault::PngPaletteDamaged : fault::PngTransparencyDamaged);
+        return refused(
+            is_palette
+                ? faultText("grids", "It is a PNG with a damaged palette (wrong checksum).")
+                : faultText("grids", "It is a PNG with a damaged transparency chunk (wrong checksum)."));
       }
       if (is_palette && palette) {
         takePalette(*content, header->format);
@@ -164,11 +171,11 @@ tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
         takeTransparency(*content, palette, header->bit_depth, header->format);
       }
     } else if ((chunk->type[0] & 0x20) == 0 && !is_palette) {
-      return refused(fault::PngPartUnknown);
+      return refused(faultText("grids", "It is a PNG with a critical chunk that is not in the standard."));
     }
     at += PngChunk::kAround + chunk->length;
   }
-  if (palette && !has_palette) return refused(fault::PngPaletteMissing);
+  if (palette && !has_palette) return refused(faultText("grids", "It is a PNG whose palette is missing."));
   header->pixels_at = at;
   return header;
 }

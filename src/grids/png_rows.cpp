@@ -86,7 +86,8 @@ bool PngStream::endChunk() {
   const std::uint32_t expected = std::uint32_t(stored[0]) << 24 | std::uint32_t(stored[1]) << 16 |
                                  std::uint32_t(stored[2]) << 8 | stored[3];
   if (expected != sum_) {
-    problem_ = {fault::ChecksumWrong, {words::grouped(std::int64_t(at_))}};
+    problem_ = {faultText("grids", "a checksum in it is wrong (near byte %1)"),
+                {words::grouped(std::int64_t(at_))}};
     return false;
   }
   at_ += stored.size();
@@ -262,7 +263,7 @@ class InterlacedRows final : public PictureRows {
       PngPass reader(header_, columns);
       for (int row = 0; row < rows; ++row) {
         if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed)) {
-          problem_ = fault::ReadingStopped;
+          problem_ = faultText("grids", "reading was cancelled");
           return;
         }
         const std::uint8_t* from = reader.next(stream_, problem_);
@@ -329,19 +330,26 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openInterlacedPng(const PngHea
   const std::uint64_t stored =
       std::uint64_t(header.storedRowBytes(format.width)) * std::uint64_t(format.height);
   if (stored / packed::kMaxDeflateRatio > bytes.size()) {
-    return tl::unexpected(Fault(fault::PngTooShortForPixels, {words::dimensions(format.width, format.height),
-                                                              words::grouped(std::int64_t(bytes.size()))}));
+    return tl::unexpected(
+        Fault(faultText("grids", "Its header says %1 pixels, but its %2 bytes cannot hold so many."),
+              {words::dimensions(format.width, format.height), words::grouped(std::int64_t(bytes.size()))}));
   }
   const std::uint64_t unpacked = std::uint64_t(format.rowBytes()) * std::uint64_t(format.height);
   if (unpacked > kMaxInterlacedBytes) {
     return tl::unexpected(Fault(
-        fault::InterlacedTooLarge,
+        faultText("grids",
+                  "It is an interlaced picture of %1 pixels. Interlaced pictures are read up to "
+                  "%2 bytes unpacked: save it without interlacing."),
         {words::dimensions(format.width, format.height), words::grouped(std::int64_t(kMaxInterlacedBytes))}));
   }
   Picture picture(static_cast<std::uint8_t*>(std::calloc(std::size_t(format.height), format.rowBytes())));
   if (!picture) {
-    return tl::unexpected(
-        Fault(fault::InterlacedWithoutRoom, {words::dimensions(format.width, format.height)}));
+    return tl::unexpected(Fault(
+        faultText(
+            "grids",
+            "It is an interlaced picture of %1 pixels, and there is not enough memory to unpack it. Save the "
+            "picture without interlacing."),
+        {words::dimensions(format.width, format.height)}));
   }
   return std::make_unique<InterlacedRows>(header, std::move(bytes), std::move(picture));
 }

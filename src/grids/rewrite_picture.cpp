@@ -87,7 +87,8 @@ std::optional<Fault> readBack(const GridPyramid& cells, const std::string& path,
   options.code = cells.code();
   options.reduction = cells.reduction();
   const auto differs = [&path](std::vector<Fault> why = {}) {
-    return Fault(fault::PictureReadsOtherwise, {path}, std::move(why));
+    return Fault(faultText("grids", "The picture %1 was written, but reads back differently"), {path},
+                 std::move(why));
   };
   auto opened = openGridFile(path, options);
   if (!opened) return differs({opened.error()});
@@ -122,7 +123,9 @@ std::optional<Fault> rewritePicture(const GridPyramid& cells, const std::string&
   auto bytes = ByteSource::open(path);
   if (!bytes) return kept({fault::PictureFileNotOpened, {path}, {fault::said(std::strerror(errno))}});
   const Format format = formatOf(*bytes);
-  if (format == Format::Other) return kept({fault::PictureOnlyRead, {path}});
+  if (format == Format::Other)
+    return kept(
+        {faultText("grids", "The picture %1 is neither PGM nor PNG: other formats are read-only."), {path}});
   auto before = openPicture(std::move(*bytes));
   if (!before) return kept(std::move(before.error()));
   const PixelFormat pixels = (*before)->format();
@@ -138,7 +141,8 @@ std::optional<Fault> rewritePicture(const GridPyramid& cells, const std::string&
     if (!seen[cell] || shades.shade_of[cell]) continue;
     alpha = true;
     if (format != Format::Png || cell != shades.transparent)
-      return kept({fault::CellWithoutShade, {path, std::int64_t(cell)}});
+      return kept({faultText("grids", "No gray level of the picture %1 means %2 by its map.yaml."),
+                   {path, std::int64_t(cell)}});
   }
 
   disk::WrittenFile file(path);

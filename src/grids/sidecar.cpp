@@ -63,7 +63,10 @@ std::uint64_t hashOf(const std::string& text) {
 }
 
 Fault notKept(const std::string& folder, Fault why) {
-  return {fault::MapsNotKept, {folder}, {std::move(why)}, Consequence::ReadAnewEachTime};
+  return {faultText("grids", "Temporary files of large maps cannot be kept in %1"),
+          {folder},
+          {std::move(why)},
+          Consequence::ReadAnewEachTime};
 }
 
 /// Null if anything in the file is invalid. Takes `fd`.
@@ -191,7 +194,7 @@ void SidecarDraft::keep(TileStore& store) {
     aside_.clear();
     pruneSidecars(key_.folder, kSidecarBudget);
   } else {
-    trouble_ = notKept(key_.folder, fault::DiskMayBeFull);
+    trouble_ = notKept(key_.folder, faultText("grids", "the disk may be full"));
   }
 }
 

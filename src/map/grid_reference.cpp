@@ -37,7 +37,7 @@ std::optional<Fault> whyUnusable(const GridReference& grid) {
   }
   if (!std::isfinite(grid.origin.x_m) || !std::isfinite(grid.origin.y_m)) return fault::OriginNoNumber;
   if (std::abs(grid.origin.x_m) > kFarthestM || std::abs(grid.origin.y_m) > kFarthestM)
-    return fault::OriginTooFar;
+    return faultText("map", "Its origin is more than 10,000 km away, so it cannot be shown.");
   return std::nullopt;
 }
 

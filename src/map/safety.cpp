@@ -130,21 +130,24 @@ Problem problemOf(const SafetyCondition& condition) {
     case SafetyKind::EmergencyStop:
       return found("emergency-stop", fault::EmergencyStop);
     case SafetyKind::PositionLost:
-      return found("position-lost", fault::PositionLost);
+      return found("position-lost", faultText("map", "The position of the robot on the map may be wrong."));
     case SafetyKind::WheelsReleased:
-      return found("wheels-released", fault::WheelsReleased);
+      return found(
+          "wheels-released",
+          faultText("map", "The wheels are released: the robot can be pushed and may roll on a slope."));
     case SafetyKind::ManualControl:
-      return found("manual-control", fault::ManualControl);
+      return found("manual-control", faultText("map", "The robot does not drive on its own."));
     case SafetyKind::PositionUncertain:
-      return found("position-uncertain", fault::PositionUncertain);
+      return found("position-uncertain", faultText("map", "The robot may be off its position on the map."));
     case SafetyKind::WheelsSlipping:
-      return found("wheels-slipping", fault::WheelsSlipping);
+      return found("wheels-slipping", faultText("map", "The robot may not be where its odometry says."));
     case SafetyKind::Alert:
       break;
   }
   const std::string id = condition.code == 0 ? "alert" : "alert:" + std::to_string(condition.code);
   return {condition.severity, Subject(SubjectKind::Condition, id),
-          condition.text.empty() ? Fault(fault::AlertWithoutText) : fault::said(condition.text)};
+          condition.text.empty() ? Fault(faultText("map", "The robot gives no further text."))
+                                 : fault::said(condition.text)};
 }
 
 }  // namespace mapwright::map

@@ -29,7 +29,8 @@ tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> tex
                                               DenseCache& cache, const std::function<bool(double)>& proceed,
                                               const grids::Resources& resources) {
   const auto fail = [](FaultCode code) { return tl::make_unexpected(Fault(code)); };
-  if (!(resolution_m > 0) || !std::isfinite(resolution_m)) return fail(fault::ResolutionNotAboveZero);
+  if (!(resolution_m > 0) || !std::isfinite(resolution_m))
+    return fail(faultText("render", "The resolution must be greater than 0."));
   std::vector<geometry::WorldRect> rects;
   geometry::WorldRect bounds;
   for (const PlacedTexture& texture : textures) {
@@ -43,7 +44,8 @@ tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> tex
   const double rows = std::ceil(bounds.max_y / resolution_m) - bottom;
   if (!(columns >= 1 && rows >= 1 && columns <= grids::kMaxGridEdge && rows <= grids::kMaxGridEdge &&
         columns * rows <= double(grids::kMaxGridCells))) {
-    return fail(fault::ComposedTooLarge);
+    return fail(faultText("render",
+                          "The map is too large for one picture at this resolution. Choose a coarser one."));
   }
   const int width = int(columns), height = int(rows);
   ComposedGrid made;

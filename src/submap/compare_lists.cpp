@@ -13,19 +13,25 @@ namespace {
 FaultCode poseProblem(const geometry::Pose3& pose) {
   if (!geometry::toIsometry(pose)) {
     const double length = std::hypot(std::hypot(pose.qx, pose.qy), std::hypot(pose.qz, pose.qw));
-    return std::isfinite(length) && length < 1e-6 ? fault::TurnIsZero : fault::PoseNotFinite;
+    return std::isfinite(length) && length < 1e-6
+               ? fault::TurnIsZero
+               : faultText("submap", "its pose contains numbers that are not finite");
   }
   if (std::max(std::abs(pose.x), std::abs(pose.y)) > kMaxCoordinateM) {
-    return fault::PoseTooFar;
+    return faultText("submap", "its pose is more than 1,000 km from the map's origin");
   }
   return FaultCode();
 }
 
 void noteTwice(const map::SubmapEntry& first, const map::SubmapEntry& other, ListDifference& difference) {
   difference.listed_twice.insert(first.id);
-  difference.problems.push_back({map::Severity::Warning, map::subjectOf(first.id),
-                                 first == other ? fault::ListedTwice : fault::ListedTwiceUnlike,
-                                 map::ProblemCode::ListedTwice});
+  difference.problems.push_back(
+      {map::Severity::Warning, map::subjectOf(first.id),
+       first == other
+           ? faultText("submap", "It is listed twice. It counts once.")
+           : faultText("submap",
+                       "It is listed twice, differently. The highest version with a usable pose is used."),
+       map::ProblemCode::ListedTwice});
 }
 
 std::vector<map::SubmapEntry> uniqueEntries(const map::SubmapList& list, ListDifference& difference) {

@@ -10,10 +10,6 @@ using namespace mapwright::fault;  // what all rooms share
 // The place of a submap.
 inline constexpr FaultCode TurnIsZero{"submap",
                                       QT_TRANSLATE_NOOP("submap", "its orientation is a zero quaternion")};
-inline constexpr FaultCode PoseNotFinite{
-    "submap", QT_TRANSLATE_NOOP("submap", "its pose contains numbers that are not finite")};
-inline constexpr FaultCode PoseTooFar{
-    "submap", QT_TRANSLATE_NOOP("submap", "its pose is more than 1,000 km from the map's origin")};
 /// because: why
 inline constexpr FaultCode CannotBePlaced{"submap", QT_TRANSLATE_NOOP("submap", "Its position is unknown")};
 /// version; because: why
@@ -21,24 +17,12 @@ inline constexpr FaultCode VersionCannotBePlaced{
     "submap", QT_TRANSLATE_NOOP("submap", "The position of version %1 is unknown")};
 
 // The list of submaps.
-inline constexpr FaultCode ListedTwice{"submap",
-                                       QT_TRANSLATE_NOOP("submap", "It is listed twice. It counts once.")};
-inline constexpr FaultCode ListedTwiceUnlike{
-    "submap",
-    QT_TRANSLATE_NOOP("submap",
-                      "It is listed twice, differently. The highest version with a usable pose is used.")};
 /// how many
 inline constexpr FaultCode ListedWithoutVersion{
     "submap",
     QT_TRANSLATE_N_NOOP("submap",
                         "%1 submaps are listed without a valid version. They are asked for from time "
                         "to time.")};
-/// from, to
-inline constexpr FaultCode VersionWentBack{
-    "submap",
-    QT_TRANSLATE_NOOP(
-        "submap",
-        "Its version went back from %1 to %2. The newer picture stays unless the robot repeats it.")};
 
 // The pictures of submaps.
 inline constexpr FaultCode SlicePoseUnusable{

@@ -146,7 +146,10 @@ void SubmapStore::weighVersion(map::SubmapId id, SubmapRow& row, SubmapChange& c
       change.problems.push_back(
           {map::Severity::Warning,
            map::subjectOf(id),
-           {fault::VersionWentBack, {std::int64_t(row.shown_version), std::int64_t(row.entry.version)}},
+           {faultText(
+                "submap",
+                "Its version went back from %1 to %2. The newer picture stays unless the robot repeats it."),
+            {std::int64_t(row.shown_version), std::int64_t(row.entry.version)}},
            map::ProblemCode::VersionWentBack});
     }
     row.stale_texture = true;
