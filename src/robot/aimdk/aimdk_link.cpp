@@ -64,11 +64,13 @@ map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const Rpc
 
 std::optional<map::Failure> notAccepted(const net::HttpAnswer& answer, map::Subject subject) {
   if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
-    return map::Failure{.kind = map::FailureKind::Unsupported,
-                        .subject = std::move(subject),
-                        .asked_for = map::AskedFor::Change,
-                        .reason = map::FailureReason::Unfit,
-                        .cause = {fault::ServiceLacking, {}, {answer.reason}}};
+    return map::Failure{
+        .kind = map::FailureKind::Unsupported,
+        .subject = std::move(subject),
+        .asked_for = map::AskedFor::Change,
+        .reason = map::FailureReason::Unfit,
+        .cause = {
+            faultText("aimdk", "Its firmware does not support this request (%1)."), {}, {answer.reason}}};
   }
   if (!answer.ok()) return wire::failed(answer, std::move(subject), map::AskedFor::Change);
   const auto accepted = parseAcceptance(wire::view(answer.body));

@@ -18,7 +18,7 @@ ProbeAnswer answerOf(const QUrl& server, const net::HttpAnswer& answer) {
     // An error in JSON may be anybody's.
     if (parseMapNames(wire::view(answer.body)))
       return {{{.address = addressScheme().prefix + server.toString()}}, {}};
-    return {{}, {fault::NoAgibotRobotAnswers}, true};
+    return {{}, {faultText("aimdk", "a web server answers there, but it is no Agibot robot")}, true};
   }
   if (answer.kind == net::HttpAnswer::Kind::Answered)
     return {{}, {fault::NoAgibotRobotThere, {}, {answer.reason}}, true};

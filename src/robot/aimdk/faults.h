@@ -7,36 +7,10 @@ namespace mapwright::robot::aimdk::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
-// Whole maps.
-/// width and height of the picture, width and height as the robot says
-inline constexpr FaultCode SizesDisagree{
-    "aimdk",
-    QT_TRANSLATE_NOOP(
-        "aimdk",
-        "Its picture has %1 x %2 cells, but the robot says %3 x %4. The size of the picture was used.")};
-
 // Whole maps by remote calls.
 /// whose robot it should be
 inline constexpr FaultCode AnswerIsNoJson{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot's answer is not JSON, so it may not be an %1 robot.")};
-inline constexpr FaultCode AnswerHoldsNoData{"aimdk",
-                                             QT_TRANSLATE_NOOP("aimdk", "the answer contains no data")};
-inline constexpr FaultCode MapsAreNoList{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot's list of maps is not a list.")};
-inline constexpr FaultCode ScaleNotPositive{
-    "aimdk",
-    QT_TRANSLATE_NOOP(
-        "aimdk", "Its resolution is missing or not above 0 pixels per metre, so its position is unknown.")};
-/// its id
-inline constexpr FaultCode WrongMapSent{"aimdk",
-                                        QT_TRANSLATE_NOOP("aimdk", "The robot sent the map %1 instead.")};
-inline constexpr FaultCode NoPictureOfItSent{"aimdk",
-                                             QT_TRANSLATE_NOOP("aimdk", "The robot sent no picture for it.")};
-inline constexpr FaultCode PictureNotBase64{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Its picture is not valid base64, or larger than 256 MB.")};
-inline constexpr FaultCode HeightNotSaid{
-    "aimdk",
-    QT_TRANSLATE_NOOP("aimdk", "Its picture is not a PNG, and the robot does not say how high it is.")};
 /// id, name, pixels
 inline constexpr FaultCode PointOff{"aimdk",
                                     QT_TRANSLATE_NOOP("aimdk",
@@ -81,9 +55,6 @@ inline constexpr FaultCode MapsWithoutId{
     "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 maps in the robot's list have no id. They were left out.")};
 
 // What newer firmware has.
-/// because: how it answers
-inline constexpr FaultCode ServiceLacking{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Its firmware does not support this request (%1).")};
 inline constexpr FaultCode MapsNotNow{"aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot is not mapping.")};
 
 // Waypoints that are changed.
@@ -103,9 +74,6 @@ inline constexpr FaultCode PointsStay{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "Waypoints of this robot cannot be deleted from here.")};
 inline constexpr FaultCode PointsWithoutTags{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "Waypoints of this robot cannot have tags.")};
-/// name
-inline constexpr FaultCode PointChangedMeanwhile{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "\"%1\" was changed on the robot in the meantime")};
 /// name
 inline constexpr FaultCode PointNotListed{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot accepted the waypoint \"%1\", but does not list it.")};
@@ -132,7 +100,5 @@ inline constexpr FaultCode NoAgibotRobotThere{
     "aimdk", QT_TRANSLATE_NOOP("aimdk",
                                "a web server answers there, but it does not know the requests of Agibot "
                                "robots (%1): check the address and the port")};
-inline constexpr FaultCode NoAgibotRobotAnswers{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "a web server answers there, but it is no Agibot robot")};
 
 }  // namespace mapwright::robot::aimdk::fault

@@ -80,7 +80,8 @@ Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
   if (!data || data->get(members) || members.size() == 0) {
     // This is also how it refuses.
     const std::string why = explanation(*root);
-    return passed({true, {}, why, why.empty() ? fault::AnswerHoldsNoData : FaultCode()});
+    return passed(
+        {true, {}, why, why.empty() ? faultText("aimdk", "the answer contains no data") : FaultCode()});
   }
   return *data;
 }
@@ -199,7 +200,7 @@ Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body, std:
   const auto member = wire::member(*data, {"map_lists", "map_list", "maps"});
   if (!member) return entries;  // some encoders omit an empty list
   const auto rows = wire::asList(*member);
-  if (!rows) return refused(fault::MapsAreNoList);
+  if (!rows) return refused(faultText("aimdk", "The robot's list of maps is not a list."));
   for (const Json row : *rows) {
     map::CatalogueEntry entry;
     entry.key = {map::MapKind::Stored, wire::text(row, {"map_id", "id"})};
@@ -234,17 +235,20 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   parsed.u0 = wire::number(*data, {"origin_x"}).value_or(kNaN);
   parsed.v0 = wire::number(*data, {"origin_y"}).value_or(kNaN);
   if (!(parsed.resolution > 0) || !std::isfinite(parsed.resolution)) {
-    return refused(fault::ScaleNotPositive);
+    return refused(faultText(
+        "aimdk", "Its resolution is missing or not above 0 pixels per metre, so its position is unknown."));
   }
   const std::string given = wire::text(*data, {"map_id"});
   if (!given.empty() && given != asked.id) {
-    return refused({fault::WrongMapSent, {given.substr(0, 100)}});
+    return refused({faultText("aimdk", "The robot sent the map %1 instead."), {given.substr(0, 100)}});
   }
   const auto base64 = wire::member(*data, {"map_data"});
   std::string_view text;
-  if (!base64 || base64->get(text) || text.empty()) return refused(fault::NoPictureOfItSent);
+  if (!base64 || base64->get(text) || text.empty())
+    return refused(faultText("aimdk", "The robot sent no picture for it."));
   auto picture = wire::fromBase64(text, kMaxPictureBytes);
-  if (!picture || picture->empty()) return refused(fault::PictureNotBase64);
+  if (!picture || picture->empty())
+    return refused(faultText("aimdk", "Its picture is not valid base64, or larger than 256 MB."));
   const int width = wire::smallInteger(*data, {"width"}).value_or(0);
   const int height = wire::smallInteger(*data, {"height"}).value_or(0);
   whole.grid.width = width;
@@ -254,10 +258,14 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
     if (*size != std::pair(width, height)) {
       whole.notes.push_back({map::Severity::Warning,
                              map::subjectOf(asked),
-                             {fault::SizesDisagree, {size->first, size->second, width, height}}});
+                             {faultText("aimdk",
+                                        "Its picture has %1 x %2 cells, but the robot says %3 x %4. The size "
+                                        "of the picture was used."),
+                              {size->first, size->second, width, height}}});
     }
   } else if (width <= 0 || height <= 0) {
-    return refused(fault::HeightNotSaid);
+    return refused(
+        faultText("aimdk", "Its picture is not a PNG, and the robot does not say how high it is."));
   }
   place(parsed, {parsed.resolution});
   if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);

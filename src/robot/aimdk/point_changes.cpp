@@ -127,7 +127,8 @@ Outcome<QByteArray> PointChanges::requestFor(Change& change, const Topology& now
       return fail({.kind = map::FailureKind::Conflict,
                    .subject = change.subject(),
                    .asked_for = map::AskedFor::Change,
-                   .cause = {fault::PointChangedMeanwhile, {what.before->name}}});
+                   .cause = {faultText("aimdk", "\"%1\" was changed on the robot in the meantime"),
+                             {what.before->name}}});
     }
     change.id = what.id;
     wanted.source = kept->source;

@@ -64,7 +64,10 @@ AxbotLink::AxbotLink(LinkOptions options)
     cache_->setTrouble([this](const Fault& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
-                           {fault::AnswersNotKept, {}, {why}, Consequence::AskedAgainEachTime}});
+                           {faultText("axbot", "The robot's answers cannot be saved to disk"),
+                            {},
+                            {why},
+                            Consequence::AskedAgainEachTime}});
     });
   }
   grids_.setTaker([this](map::TopicMessage message) {
@@ -93,7 +96,10 @@ AxbotLink::AxbotLink(LinkOptions options)
   connect(&list_timer_, &QTimer::timeout, this, [this] {
     Q_EMIT problemFound({map::Severity::Warning,
                          map::SubjectKind::SubmapList,
-                         {fault::NoListYet, {"/submap_list"}},
+                         {faultText("axbot",
+                                    "The robot has not sent a list yet. It may have no SLAM session, or its "
+                                    "firmware may not have the topic %1. Still listening."),
+                          {"/submap_list"}},
                          map::ProblemCode::Unavailable});
   });
   connect(&subscribe_timer_, &QTimer::timeout, this, [this] {
@@ -176,7 +182,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    report(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}});
+    report(map::Severity::Info, {faultText("axbot", "It does not report what it is"), {}, {answer.reason}});
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_.state() == net::WebSocketLink::State::Open) subscribe();

@@ -69,9 +69,14 @@ class Asking : public QObject {
     const bool refused = answer.status == 401 || answer.status == 403;
     if (refused && explainsItself(answer.body))
       return end({{{.address = address(), .wants_secret = true}}, {}});
-    if (answer.ok()) return end({{}, {fault::AnotherServerAnswers}, true});
+    if (answer.ok())
+      return end({{}, {faultText("axbot", "a web server answers there, but it is no Autoxing robot")}, true});
     if (answer.kind == net::HttpAnswer::Kind::Answered)
-      return end({{}, {fault::NoAutoxingRobotAnswers, {}, {answer.reason}}, true});
+      return end({{},
+                  {faultText("axbot", "a web server answers there, but not as an Autoxing robot does: %1"),
+                   {},
+                   {answer.reason}},
+                  true});
     end({{}, answer.reason});
   }
   QString address() const { return addressScheme().prefix + server_.toString(); }

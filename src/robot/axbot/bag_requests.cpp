@@ -246,10 +246,12 @@ void BagRequests::look(const std::shared_ptr<Recording>& recording) {
       QTimer::singleShot(kLookAgainAfter, &context_, [this, recording] { look(recording); });
       return;
     }
-    map::Failure unknown = recording->doubt ? *recording->doubt
-                           : !now.failures.empty()
-                               ? now.failures.front()
-                               : wire::otherwise(partOf(BagKind::Recording), fault::RecordingNotListed);
+    map::Failure unknown =
+        recording->doubt ? *recording->doubt
+        : !now.failures.empty()
+            ? now.failures.front()
+            : wire::otherwise(partOf(BagKind::Recording),
+                              faultText("axbot", "The robot accepted the recording, but does not list it."));
     unknown.asked_for = map::AskedFor::Addition;
     unknown.applied = map::Applied::Maybe;
     recording->reply(fail(std::move(unknown)));

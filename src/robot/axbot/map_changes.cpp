@@ -186,26 +186,31 @@ void MapChanges::remove(const ChangePtr& change) {
 
 MapChanges::Look MapChanges::lookForMapping(bool wanted) {
   return [this, wanted](const ChangePtr& of, Seen seen) {
-    maps_.listAll(
-        of->task, [of, wanted, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
-          if (!list) return seen(fail(std::move(list.error())), false);
-          const auto running = std::find_if(list->begin(), list->end(), runs);
-          if ((running != list->end()) != wanted)
-            return seen(fail(wire::otherwise(of->subject(),
-                                             wanted ? wire::fault::NotMapping : wire::fault::StillMapping)),
-                        false);
-          if (wanted) return seen(std::move(*running), true);
-          const auto ended = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
-            return entry.key == of->mapping;
-          });
-          if (ended == list->end()) return seen(map::CatalogueEntry(), of->mapping.has_value());
-          const bool cancels = of->order.change == MapChange::CancelMapping;
-          if (ended->state == (cancels ? "finished" : "cancelled"))
-            return seen(
-                fail(wire::otherwise(of->subject(), cancels ? fault::MappingKept : fault::MappingDropped)),
-                false);
-          seen(std::move(*ended), true);
-        });
+    maps_.listAll(of->task, [of, wanted,
+                             seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+      if (!list) return seen(fail(std::move(list.error())), false);
+      const auto running = std::find_if(list->begin(), list->end(), runs);
+      if ((running != list->end()) != wanted)
+        return seen(fail(wire::otherwise(of->subject(),
+                                         wanted ? wire::fault::NotMapping : wire::fault::StillMapping)),
+                    false);
+      if (wanted) return seen(std::move(*running), true);
+      const auto ended = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
+        return entry.key == of->mapping;
+      });
+      if (ended == list->end()) return seen(map::CatalogueEntry(), of->mapping.has_value());
+      const bool cancels = of->order.change == MapChange::CancelMapping;
+      if (ended->state == (cancels ? "finished" : "cancelled"))
+        return seen(
+            fail(wire::otherwise(
+                of->subject(),
+                cancels
+                    ? faultText("axbot",
+                                "The robot ended mapping, but kept what was mapped: it lists it as finished.")
+                    : faultText("axbot", "The robot ended mapping, but lists it as cancelled."))),
+            false);
+      seen(std::move(*ended), true);
+    });
   };
 }
 
@@ -271,11 +276,12 @@ void MapChanges::save(const ChangePtr& change) {
       if (whole && (!latest || end_s(entry) >= end_s(*latest))) latest = &entry;
     }
     if (!latest) {
-      return change->reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                             .subject = change->subject(),
-                                             .asked_for = map::AskedFor::Change,
-                                             .reason = map::FailureReason::Unfit,
-                                             .cause = fault::NothingMapped}));
+      return change->reply(fail(
+          map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                       .subject = change->subject(),
+                       .asked_for = map::AskedFor::Change,
+                       .reason = map::FailureReason::Unfit,
+                       .cause = faultText("axbot", "There is no finished mapping that could be saved.")}));
     }
     saveMapping(change, latest->key.id);
   });

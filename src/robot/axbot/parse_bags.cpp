@@ -194,7 +194,7 @@ std::optional<Fault> readMessages(BagChunk& chunk) {
   ondemand::array messages;
   if (const auto error = root.find_field_unordered("messages").get_array().get(messages)) {
     const bool absent = error == simdjson::NO_SUCH_FIELD || error == simdjson::INCORRECT_TYPE;
-    return absent ? Fault(fault::BagWithoutMessages) : no_json;
+    return absent ? Fault(faultText("axbot", "the answer contains no list of messages")) : no_json;
   }
   ChunkReader reader(chunk);
   for (auto each : messages) {
@@ -243,7 +243,8 @@ tl::expected<BagInfo, Fault> parseBagInfo(std::string_view utf8) {
   if (messages && *messages < 0) messages.reset();
   const auto start_s = wire::number(*root, {"start_time"}), end_s = wire::number(*root, {"end_time"});
   // A bag without messages has no start and end.
-  if (!(start_s && end_s) && messages != 0) return wrong(fault::BagWithoutTimes);
+  if (!(start_s && end_s) && messages != 0)
+    return wrong(faultText("axbot", "the answer does not contain its start and end time"));
   info.messages = messages;
   info.start_s = start_s.value_or(0);
   info.end_s = end_s.value_or(info.start_s);

@@ -105,7 +105,7 @@ map::TopicMessage unreadable(const std::string& topic, Fault why,
 
 map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, std::string_view base64) {
   const auto bytes = wire::fromBase64(base64, kMaxCloudBytes);
-  if (!bytes) return unreadable(topic, fault::PointsNotBase64);
+  if (!bytes) return unreadable(topic, faultText("axbot", "Its points are not valid base64, or too many."));
   const Field *x = layout.find("x"), *y = layout.find("y"), *z = layout.find("z");
   const Field* bright = layout.brightness();
   CloudPoints cloud;
@@ -163,7 +163,7 @@ map::TopicMessage readCloud(const std::string& topic, const Json& message) {
     }
     return unreadable(topic, robot::wire::fault::PointsWithoutFields, Consequence::ItsPointsWereLeftOut);
   }
-  return unreadable(topic, fault::NoReadablePoints);
+  return unreadable(topic, faultText("axbot", "It contains no readable points."));
 }
 
 map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointCloud& message) {
@@ -171,7 +171,7 @@ map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointC
   const double resolution = message.resolution() == 0 ? 1 : double(message.resolution());
   if (!std::isfinite(resolution) || !std::isfinite(message.center_x()) ||
       !std::isfinite(message.center_y())) {
-    return unreadable(topic, fault::PointsWithoutScale);
+    return unreadable(topic, faultText("axbot", "Its points have no valid scale or centre."));
   }
   const int count = std::min(message.xs_size(), message.ys_size());
   const std::string& brightness =

@@ -134,7 +134,8 @@ class Reader {
       if (feature.parts.empty())
         return note(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
     } else {
-      return note(feature, {fault::GeometryUnknown, {std::string(type)}}, somePoint(coordinates, kDeepest));
+      return note(feature, {faultText("axbot", "Its geometry \"%1\" is not known."), {std::string(type)}},
+                  somePoint(coordinates, kDeepest));
     }
     out_.push_back(std::move(feature));
   }
@@ -305,7 +306,8 @@ std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body) {
 
 tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m) {
   ros_messages::slam::GetMapImageResponse response;
-  if (body.empty() || !readMessage(body, response)) return refused(fault::AnswerIsNoPicture);
+  if (body.empty() || !readMessage(body, response))
+    return refused(faultText("axbot", "The robot's answer is not a map picture, or is cut off."));
   if (response.status_code() != ros_messages::slam::OK) {
     return refused({fault::RobotAnswered,
                     {codeName(response.status_code())},
@@ -316,7 +318,7 @@ tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double a
   whole.grid.resolution_m = response.resolution() == 0 ? asked_resolution_m : response.resolution();
   whole.grid.origin = {response.origin_x(), response.origin_y(), 0};
   if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
-  if (response.png_bytes().empty()) return refused(fault::NoPictureSent);
+  if (response.png_bytes().empty()) return refused(faultText("axbot", "The robot sent no picture."));
   whole.bytes = std::make_shared<const std::string>(std::move(*response.mutable_png_bytes()));
   if (const auto size = wire::pngSize(*whole.bytes)) {
     std::tie(whole.grid.width, whole.grid.height) = *size;
@@ -346,7 +348,7 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
   answer.bytes = body.size();
   ros_messages::slam::SubmapQueryV2Response response;
   if (body.empty()) {
-    answer.reason = fault::EmptyAnswer;
+    answer.reason = faultText("axbot", "The robot sent an empty answer.");
     return answer;
   }
   if (!readMessage(body, response)) {
@@ -382,7 +384,10 @@ map::TopicMessage usable(map::SubmapList list) {
   const auto unusable = [](Fault why) { return map::UnreadableMessage{kSubmapListTopic, std::move(why)}; };
   if (list.entries.empty() && !list.rejected.empty())
     return unusable({fault::NoRowReadable, {std::int64_t(list.rejected.size())}});
-  if (!list.entries.empty() && list.uuid.empty()) return unusable(fault::ListWithoutUuid);
+  if (!list.entries.empty() && list.uuid.empty())
+    return unusable(faultText("axbot",
+                              "It lists submaps, but not the uuid of their SLAM session, so none can be "
+                              "loaded. The previous list stays."));
   return list;
 }
 

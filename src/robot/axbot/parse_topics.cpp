@@ -63,7 +63,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   if (!data.empty()) {
     auto picture = wire::fromBase64(data, kMaxPictureBytes);
     if (!picture || picture->empty()) {
-      return refuse(fault::PictureInMessageNotBase64);
+      return refuse(faultText("axbot", "The picture in the message is not valid base64, or too large."));
     }
     grid.fingerprint = wire::fingerprint(*picture);
     grid.png = std::make_shared<const std::string>(std::move(*picture));
@@ -71,7 +71,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   } else if (!url.empty()) {
     frame.grid_to_fetch = GridToFetch{std::move(grid), std::string(url)};
   } else {
-    refuse(fault::NoPictureNorAddress);
+    refuse(faultText("axbot", "It contains neither a picture nor the address of one."));
   }
 }
 
@@ -213,7 +213,9 @@ tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_
   }
   auto content = unpacked(body);
   if (!content) {
-    return tl::make_unexpected(map::UnreadableMessage{frame.topic, fault::NotUnpacked});
+    return tl::make_unexpected(map::UnreadableMessage{
+        frame.topic,
+        faultText("axbot", "A compressed message could not be unpacked. The previous data stays.")});
   }
   frame.body = std::move(*content);
   return frame;
@@ -249,10 +251,12 @@ std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::
                     wrapper.ParseFromArray(body.data(), int(body.size()));
   if (isCloudTopic(topic)) {
     if (read && wrapper.has_point_cloud()) return readCloud(topic, wrapper.point_cloud());
-    return map::UnreadableMessage{topic, fault::BinaryWithoutPoints};
+    return map::UnreadableMessage{topic, faultText("axbot", "A binary message contains no readable points.")};
   }
   if (topic != "/submap_list") return std::nullopt;
-  if (!read || !wrapper.has_submap_list()) return map::UnreadableMessage{topic, fault::BinaryWithoutList};
+  if (!read || !wrapper.has_submap_list())
+    return map::UnreadableMessage{
+        topic, faultText("axbot", "A binary message could not be read. The previous list stays.")};
   return toSubmapList(wrapper.submap_list());
 }
 

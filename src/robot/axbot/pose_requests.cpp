@@ -123,13 +123,17 @@ void PoseRequests::awaitPose(const Task& task, const PoseOrder& order, std::opti
           return reply(fail(cancelled()));
         const bool near = pose_ && !isStill() && within(*pose_, order.pose, kNearM, kNearRad);
         if (doubt && !near) return reply(fail(*doubt));
-        if (!pose_) return reply(fail(unknown(fault::PoseNotTold)));
+        if (!pose_)
+          return reply(
+              fail(unknown(faultText("axbot", "the robot accepted the pose, but does not say where it is"))));
         if (isStill()) {
-          return reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                         .subject = kRobot,
-                                         .asked_for = map::AskedFor::Change,
-                                         .reason = map::FailureReason::Unfit,
-                                         .cause = fault::PoseAsBefore}));
+          return reply(fail(map::Failure{
+              .kind = map::FailureKind::RejectedByRobot,
+              .subject = kRobot,
+              .asked_for = map::AskedFor::Change,
+              .reason = map::FailureReason::Unfit,
+              .cause = faultText(
+                  "axbot", "The robot accepted the pose, but says that it is still where it was before.")}));
         }
         reply(*pose_);
       });
@@ -177,7 +181,7 @@ void PoseRequests::awaitResult(const Task& task, std::chrono::milliseconds patie
     if (how == wire::WaitList::End::Held) return reply(*result_);
     if (how != wire::WaitList::End::TooLate) return reply(fail(cancelled()));
     if (doubt) return reply(fail(*doubt));
-    reply(fail(unknown(fault::ResultNotTold)));
+    reply(fail(unknown(faultText("axbot", "the robot accepted it, but does not say what came of it"))));
   });
 }
 

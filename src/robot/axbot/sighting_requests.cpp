@@ -32,15 +32,15 @@ QString edgeQuery(SightEdge edge) {
 Fault seesNone(Sight what) {
   switch (what) {
     case Sight::Charger:
-      return fault::SeesNoCharger;
+      return faultText("axbot", "The robot sees no charger here.");
     case Sight::Rack:
-      return fault::SeesNoRack;
+      return faultText("axbot", "The robot sees no rack here.");
     case Sight::Pallet:
-      return fault::SeesNoPallet;
+      return faultText("axbot", "The robot sees no pallet here.");
     case Sight::Trailer:
       break;
   }
-  return fault::SeesNoTrailer;
+  return faultText("axbot", "The robot sees no trailer here.");
 }
 
 Outcome<Sighting> sightingOf(const net::HttpAnswer& answer, Sight what) {

@@ -55,7 +55,9 @@ map::TopicMessage submapList(const Json& message) {
   list.slam_state = slamState(message);
   list.uuid = wire::text(message, {"uuid"});
   const auto member = wire::member(message, {"submap", "submaps"});
-  if (!member) return map::UnreadableMessage{"/submap_list", fault::NoListInIt};
+  if (!member)
+    return map::UnreadableMessage{
+        "/submap_list", faultText("axbot", "It contains no list of submaps. The previous list stays.")};
   wire::JsonList rows;
   if (member->get(rows)) return map::UnreadableMessage{"/submap_list", {fault::MemberIsNoList, {"submap"}}};
   list.entries.reserve(rows.size());
@@ -86,7 +88,8 @@ map::TopicMessage trackedPose(const Json& message) {
   const bool spoilt = !message["ori"].get(heading) && !wire::asNumber(heading);
   if (!pose || spoilt) {
     return map::UnreadableMessage{"/tracked_pose",
-                                  Fault(fault::PoseWithoutNumbers).followedBy(Consequence::StaysWhereItWas)};
+                                  Fault(faultText("axbot", "The robot's pose contains no valid numbers."))
+                                      .followedBy(Consequence::StaysWhereItWas)};
   }
   return map::TrackedPose{*pose};
 }

@@ -112,11 +112,13 @@ void TransferRequests::add(const Task& task, const NewMap& map, OutcomeTo<MapPar
       if (entry.key.kind != map::MapKind::Stored) continue;
       addition->ids_before.insert(entry.key.id);
       if (addition->map.uid.empty() || entry.uid != addition->map.uid) continue;
-      return addition->reply(fail(map::Failure{.kind = map::FailureKind::Conflict,
-                                               .subject = addition->subject(),
-                                               .asked_for = map::AskedFor::Addition,
-                                               .reason = map::FailureReason::Unfit,
-                                               .cause = {fault::UidTaken, {entry.key.id, entry.name}}}));
+      return addition->reply(
+          fail(map::Failure{.kind = map::FailureKind::Conflict,
+                            .subject = addition->subject(),
+                            .asked_for = map::AskedFor::Addition,
+                            .reason = map::FailureReason::Unfit,
+                            .cause = {faultText("axbot", "the robot already has this map: %2 (id %1)"),
+                                      {entry.key.id, entry.name}}}));
     }
     send(addition);
   });

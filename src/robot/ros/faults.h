@@ -7,11 +7,6 @@ namespace mapwright::robot::ros::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
-// Who answers at an address.
-inline constexpr FaultCode NoRosbridgeAnswers{
-    "ros",
-    QT_TRANSLATE_NOOP("ros", "a WebSocket opens there, but nothing answers the requests of rosbridge")};
-
 // Messages of ROS.
 /// field
 inline constexpr FaultCode RosFieldMissing{
@@ -47,11 +42,6 @@ inline constexpr FaultCode RosPatchInOtherFrame{
     QT_TRANSLATE_NOOP(
         "ros",
         "An update of it is in the frame %1, but the map is in the frame %2. The update was left out.")};
-/// because: what became of the second
-inline constexpr FaultCode RosOneConnection{
-    "ros", QT_TRANSLATE_NOOP("ros",
-                             "The rosbridge server does not accept a second connection: %1. Maps and clouds "
-                             "share the connection with poses, so poses may be late while a map is sent.")};
 
 // Where the frames of ROS lie to each other.
 /// frame
@@ -146,11 +136,6 @@ inline constexpr FaultCode ProjectionsNotTold{
                "Its projections are unknown: it does not list its topics and services (its node rosapi is "
                "not running), and nothing has arrived on the usual topics (projected_map_0 and so on).")};
 
-inline constexpr FaultCode OnlyProjectionsSent{
-    "ros",
-    QT_TRANSLATE_NOOP("ros",
-                      "The robot sends no map in the plane, only projections of its 3D map: choose one of "
-                      "them (projected_map_0 and so on).")};
 inline constexpr FaultCode WholeMapNotFetched{
     "ros", QT_TRANSLATE_NOOP(
                "ros", "The robot sends this map by region, and the whole map has not been loaded yet.")};
@@ -159,8 +144,6 @@ inline constexpr FaultCode WholeMapNotFetched{
 inline constexpr FaultCode NoAnswerInTime{"ros",
                                           QT_TRANSLATE_NOOP("ros", "the robot did not answer in time")};
 inline constexpr FaultCode LinkBrokeOff{"ros", QT_TRANSLATE_NOOP("ros", "the connection was lost")};
-inline constexpr FaultCode NotConnected{"ros",
-                                        QT_TRANSLATE_NOOP("ros", "there is no connection to the robot")};
 inline constexpr FaultCode AnswerWithoutResult{"ros",
                                                QT_TRANSLATE_NOOP("ros", "the answer contains no result")};
 inline constexpr FaultCode ResultMapUnknown{"ros", QT_TRANSLATE_NOOP("ros", "it has no such map")};
@@ -168,19 +151,8 @@ inline constexpr FaultCode ResultMapUnknown{"ros", QT_TRANSLATE_NOOP("ros", "it 
 inline constexpr FaultCode ResultNameTaken{
     "ros",
     QT_TRANSLATE_NOOP("ros", "another waypoint of this map is called \"%1\", too; rename one of the two")};
-inline constexpr FaultCode ResultWaypointUnknown{"ros",
-                                                 QT_TRANSLATE_NOOP("ros", "the waypoint no longer exists")};
 inline constexpr FaultCode ResultUndefined{"ros", QT_TRANSLATE_NOOP("ros", "it failed without saying why")};
 inline constexpr FaultCode ResultInvalid{"ros", QT_TRANSLATE_NOOP("ros", "it considers the request invalid")};
-inline constexpr FaultCode ResultInvalidLoad{
-    "ros", QT_TRANSLATE_NOOP(
-               "ros", "it considers the request invalid; it may need to know at which waypoint it stands")};
-inline constexpr FaultCode ResultAlreadyLoaded{"ros", QT_TRANSLATE_NOOP("ros", "it already uses this map")};
-inline constexpr FaultCode ResultNothingToSave{
-    "ros",
-    QT_TRANSLATE_NOOP(
-        "ros",
-        "it considers the request invalid; there may be nothing to save, or the name may not be allowed")};
 /// name
 inline constexpr FaultCode ResultMapNameTaken{
     "ros", QT_TRANSLATE_NOOP("ros", "another map is already called \"%1\"; choose another name")};
@@ -201,11 +173,6 @@ inline constexpr FaultCode TagsNotTaken{
 /// name
 inline constexpr FaultCode ChangedMeanwhile{
     "ros", QT_TRANSLATE_NOOP("ros", "\"%1\" was changed on the robot in the meantime")};
-inline constexpr FaultCode ListsNotTold{
-    "ros", QT_TRANSLATE_NOOP(
-               "ros",
-               "the robot's map manager did not list its maps in time; it may be busy, or the rosbridge "
-               "server may lack its message types (kabam_msgs)")};
 inline constexpr FaultCode OnlyCurrentMapSent{
     "ros",
     QT_TRANSLATE_NOOP("ros", "The robot only sends its current map. Load this one on the robot to see it.")};
@@ -213,9 +180,6 @@ inline constexpr FaultCode OnlyCurrentMapTaken{
     "ros", QT_TRANSLATE_NOOP("ros",
                              "The robot only sends its current map, so only that picture can be saved and "
                              "compared. Nothing was sent. Load this map on the robot first.")};
-/// name
-inline constexpr FaultCode PictureChangedMeanwhile{
-    "ros", QT_TRANSLATE_NOOP("ros", "the picture of \"%1\" was changed on the robot in the meantime")};
 /// the cell, of 100
 inline constexpr FaultCode CellBetweenKinds{
     "ros",
@@ -240,9 +204,6 @@ inline constexpr FaultCode WaypointsNotConfirmed{
     QT_TRANSLATE_NOOP("ros",
                       "This list may be out of date: it comes from a topic, and the map manager did not "
                       "confirm it (get_waypoint)")};
-/// name, frame, the map's frame
-inline constexpr FaultCode WaypointInOtherFrame{
-    "ros", QT_TRANSLATE_NOOP("ros", "Waypoint \"%1\" is in the frame %2 instead of %3. It was left out.")};
 /// name, frame
 inline constexpr FaultCode WaypointFrameUnknown{
     "ros", QT_TRANSLATE_NOOP("ros",
@@ -250,11 +211,6 @@ inline constexpr FaultCode WaypointFrameUnknown{
                              "It is assumed to be on the map.")};
 
 // What goes over the network. Hosts come with their ports.
-/// likewise
-inline constexpr FaultCode NoRosbridgeThere{
-    "ros",
-    QT_TRANSLATE_NOOP(
-        "ros", "there is a server at %1, but not a rosbridge server: %2. Check the address and the port.")};
 /// host
 inline constexpr FaultCode NoMapManagerThere{
     "ros", QT_TRANSLATE_NOOP("ros",

@@ -107,7 +107,8 @@ constexpr Code kOfWaypoints[] = {
     {5},  // deleted
     {1, fault::ResultMapUnknown},
     {2, fault::ResultNameTaken, true},
-    {4, fault::ResultWaypointUnknown, false, FailureKind::Conflict},  // somebody else has deleted it
+    {4, faultText("ros", "the waypoint no longer exists"), false,
+     FailureKind::Conflict},  // somebody else has deleted it
     {6, fault::ResultUndefined},
 };
 constexpr Code kOfUpdates[] = {
@@ -120,13 +121,17 @@ constexpr Code kOfUpdates[] = {
 constexpr Code kOfLoads[] = {
     {0},
     {1, fault::ResultMapUnknown},
-    {2, fault::ResultAlreadyLoaded},
-    {3, fault::ResultInvalidLoad},
+    {2, faultText("ros", "it already uses this map")},
+    {3,
+     faultText("ros", "it considers the request invalid; it may need to know at which waypoint it stands")},
     {4, fault::ResultUndefined},
 };
 constexpr Code kOfSaves[] = {
     {0},
-    {1, fault::ResultNothingToSave},
+    {1,
+     faultText(
+         "ros",
+         "it considers the request invalid; there may be nothing to save, or the name may not be allowed")},
     {2, fault::ResultMapNameTaken, true},
     {3, fault::ResultUndefined},
 };
@@ -198,7 +203,8 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     } else if (point->id.empty()) {
       ++nameless;
     } else if (!frame.empty() && !fixed_frame.empty() && frame != fixed_frame) {
-      note(fault::WaypointInOtherFrame, {point->name.empty() ? point->id : point->name, frame, fixed_frame});
+      note(faultText("ros", "Waypoint \"%1\" is in the frame %2 instead of %3. It was left out."),
+           {point->name.empty() ? point->id : point->name, frame, fixed_frame});
     } else if (!ids.insert(point->id).second) {
       note(robot::wire::fault::WaypointIdTwice, {point->id});
     } else {

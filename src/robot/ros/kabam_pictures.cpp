@@ -191,10 +191,12 @@ std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) cons
   const bool fits = !last || (last->fingerprint == writing.change.revision &&
                               last->grid.width == cells.width() && last->grid.height == cells.height());
   if (fits) return std::nullopt;
-  return map::Failure{.kind = map::FailureKind::Conflict,
-                      .subject = writing.subject(),
-                      .asked_for = map::AskedFor::Change,
-                      .cause = {fault::PictureChangedMeanwhile, {writing.name}}};
+  return map::Failure{
+      .kind = map::FailureKind::Conflict,
+      .subject = writing.subject(),
+      .asked_for = map::AskedFor::Change,
+      .cause = {faultText("ros", "the picture of \"%1\" was changed on the robot in the meantime"),
+                {writing.name}}};
 }
 
 bool KabamPictures::shows(const std::string& fingerprint) const {

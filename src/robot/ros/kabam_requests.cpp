@@ -168,7 +168,12 @@ void KabamRequests::whenListed(const wire::TaskPtr& task, const map::Subject& su
     // A manager without a current map may say nothing of it.
     const bool enough = how == End::TooLate && state_.partlyListed();
     if (how == End::Held || enough) return then(std::nullopt);
-    map::Failure failure = failed(how, subject, fault::ListsNotTold, fault::LinkBrokeOff);
+    map::Failure failure = failed(
+        how, subject,
+        faultText("ros",
+                  "the robot's map manager did not list its maps in time; it may be busy, or the rosbridge "
+                  "server may lack its message types (kabam_msgs)"),
+        fault::LinkBrokeOff);
     const QString refusal = client_.refusalOf(state_.place() + "/map_list");
     if (how == End::TooLate && !refusal.isEmpty())
       failure.cause.because = {Fault(robot::fault::ItAnswered, {refusal.toStdString()})};

@@ -110,7 +110,12 @@ void RosLink::listen() {
     if (serious) report(map::Severity::Warning, {robot::fault::ItAnswered, {words.left(300).toStdString()}});
   });
   connect(client_.get(), &Client::sharesOneConnection, this, [this](const Fault& why) {
-    report(map::Severity::Info, {fault::RosOneConnection, {}, {why}});
+    report(map::Severity::Info,
+           {faultText("ros",
+                      "The rosbridge server does not accept a second connection: %1. Maps and clouds "
+                      "share the connection with poses, so poses may be late while a map is sent."),
+            {},
+            {why}});
   });
   connect(client_.get(), &Client::odd, this,
           [this] { report(map::Severity::Info, {fault::MessageNotUnderstood}); });
@@ -252,7 +257,11 @@ void RosLink::publishState() {
   if (state.phase == ConnectionPhase::Online && !known_) state.phase = ConnectionPhase::Connecting;
   const std::string host = wire::hostOf(options_.url);
   if (state.failure == map::FailureKind::NotARobot) {
-    state.reason = {fault::NoRosbridgeThere, {host}, {state.reason}};
+    state.reason = {
+        faultText("ros",
+                  "there is a server at %1, but not a rosbridge server: %2. Check the address and the port."),
+        {host},
+        {state.reason}};
   }
   if (awaits_manager_) {
     state.phase = ConnectionPhase::Interrupted;
@@ -371,7 +380,8 @@ void RosLink::whenKnown(const wire::TaskPtr& task, const map::Subject& subject, 
   using End = wire::WaitList::End;
   const auto ended = [subject, asked_for, then = std::move(then)](End how) {
     if (how == End::Held) return then(std::nullopt);
-    map::Failure failure = failed(how, subject, fault::NoAnswerInTime, fault::NotConnected);
+    map::Failure failure =
+        failed(how, subject, fault::NoAnswerInTime, faultText("ros", "there is no connection to the robot"));
     failure.asked_for = asked_for;
     then(std::move(failure));
   };

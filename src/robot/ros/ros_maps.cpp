@@ -155,18 +155,25 @@ void RosMaps::describeNow(const wire::TaskPtr& task, const map::MapKey& key,
 }
 
 void RosMaps::fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  describe(task, key,
-           withValue<map::CatalogueEntry>(reply, [this, task, key, reply](const map::CatalogueEntry& entry) {
-             if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
-             if (!entry.is_current)
-               return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
-             if (sourcesFor(map::Stream::WholeMap, of_.sources).empty()) {
-               const bool projected = !of_.dispatch.projected().empty();
-               return reply(fail(unsupported(map::subjectOf(key),
-                                             projected ? Fault(fault::OnlyProjectionsSent) : Fault())));
-             }
-             of_.live_map.fetch(task, key, entry.name, reply);
-           }));
+  describe(
+      task, key,
+      withValue<map::CatalogueEntry>(reply, [this, task, key, reply](const map::CatalogueEntry& entry) {
+        if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
+        if (!entry.is_current)
+          return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
+        if (sourcesFor(map::Stream::WholeMap, of_.sources).empty()) {
+          const bool projected = !of_.dispatch.projected().empty();
+          return reply(fail(unsupported(
+              map::subjectOf(key),
+              projected
+                  ? Fault(faultText(
+                        "ros",
+                        "The robot sends no map in the plane, only projections of its 3D map: choose one of "
+                        "them (projected_map_0 and so on)."))
+                  : Fault())));
+        }
+        of_.live_map.fetch(task, key, entry.name, reply);
+      }));
 }
 
 void RosMaps::thumbnail(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<std::string> reply) {

@@ -46,7 +46,11 @@ class AskingRos : public QObject {
     const bool silent = graph.topics_silent && graph.services_silent;
     // Without rosapi nothing is listed; whether a map manager answers can be asked.
     api_.probeMapManager(kUsualManager, [this, silent](std::optional<bool> there) {
-      if (silent && !there) return end({{}, {fault::NoRosbridgeAnswers}, true});
+      if (silent && !there)
+        return end(
+            {{},
+             {faultText("ros", "a WebSocket opens there, but nothing answers the requests of rosbridge")},
+             true});
       RosGraph usual;
       if (there.value_or(false)) usual.services = {std::string(kUsualManager) + "/load_map"};
       std::vector<FoundRobot> robots = robotsIn(usual, server_);
