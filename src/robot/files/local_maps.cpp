@@ -59,8 +59,9 @@ std::optional<Fault> whyUnreadable(const QString& path) {
   const QFileInfo info(path);
   const std::string name = path.toStdString();
   if (!info.exists()) return Fault(fault::NoSuchFile, {name});
-  if (!info.isFile()) return Fault(fault::NotAFile, {name});
-  if (!info.isReadable()) return Fault(fault::FileNotReadable, {name});
+  if (!info.isFile()) return Fault(faultText("files", "%1 is not a file."), {name});
+  if (!info.isReadable())
+    return Fault(faultText("files", "You are not allowed to read the file %1."), {name});
   return std::nullopt;
 }
 
@@ -77,7 +78,8 @@ tl::expected<map::WholeMap, Fault> fromYaml(const QString& path, YamlShelf& yaml
   whole.path = picture.toStdString();
   for (Fault& odd : yaml->notes) note(whole, map::Severity::Warning, std::move(odd));
   if (!liesBelow(trueFolder(picture), trueFolder(path))) {
-    note(whole, map::Severity::Info, {fault::PictureOutsideFolder, {whole.path}});
+    note(whole, map::Severity::Info,
+         {faultText("files", "Its picture is outside its folder: %1."), {whole.path}});
   }
   return whole;
 }
@@ -88,7 +90,11 @@ Fault several(const QStringList& yamls) {
   for (const QString& path : yamls.mid(0, kMostNames)) names << QFileInfo(path).fileName();
   const std::string first = names.join(QStringLiteral(", ")).toStdString();
   if (yamls.size() <= kMostNames) return {fault::SeveralYamls, {first}};
-  return {fault::SeveralYamlsAndMore, {first, std::int64_t(yamls.size() - kMostNames)}};
+  return {
+      faultText(
+          "files",
+          "Several map.yaml files name this picture, so none is used: %1 and %2 more. Open the right one."),
+      {first, std::int64_t(yamls.size() - kMostNames)}};
 }
 
 map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const QStringList& named_by) {
@@ -98,13 +104,20 @@ map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const 
   whole.grid.resolution_m = place.resolution_m.value_or(kUsualResolutionM);
   whole.grid.origin = place.origin.value_or(geometry::Pose2{});
   if (!place.resolution_m) {
-    note(whole, map::Severity::Warning, fault::ResolutionAssumed);
+    note(whole, map::Severity::Warning,
+         faultText("files",
+                   "A picture alone does not tell the size of its cells. 0.05 m is assumed; "
+                   "append ?resolution=0.05 to the path to change it."));
   }
   const QString stem = QFileInfo(path).absolutePath() + QLatin1Char('/') + QFileInfo(path).completeBaseName();
   for (const char* suffix : {".yaml", ".yml"}) {
     const QString beside = stem + QLatin1String(suffix);
     if (!named_by.isEmpty() || place.resolution_m || !QFileInfo::exists(beside)) continue;
-    note(whole, map::Severity::Info, {fault::YamlBesideUnused, {QFileInfo(beside).fileName().toStdString()}});
+    note(whole, map::Severity::Info,
+         {faultText(
+              "files",
+              "%1 in the same folder does not name this picture as its image, or is not a valid map.yaml."),
+          {QFileInfo(beside).fileName().toStdString()}});
     break;
   }
   if (!named_by.isEmpty()) {

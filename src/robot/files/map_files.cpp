@@ -64,7 +64,9 @@ bool MapFiles::isFolder() const { return QFileInfo(options_.path).isDir(); }
 void MapFiles::look() {
   if (isFolder()) {
     const bool any = !mapFilesIn(options_.path).isEmpty();
-    Q_EMIT looked(true, any ? Fault() : Fault(fault::FolderWithoutMaps, {options_.path.toStdString()}));
+    Q_EMIT looked(true, any ? Fault()
+                            : Fault(faultText("files", "There are no maps (map.yaml, PNG, PGM, BMP) in %1."),
+                                    {options_.path.toStdString()}));
     return;
   }
   const auto whole = readLocalMap(options_.path, options_.place, yamls_);
@@ -242,7 +244,7 @@ Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
     auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
     if (!bytes) return unreadable(bytes.error().cause);
     if (bytes->size() > kMaxWaypointBytes) return unreadable({fault::FileTooLarge, {"64 MiB"}});
-    if (bytes->empty()) return unreadable(fault::FileEmpty);
+    if (bytes->empty()) return unreadable(faultText("files", "it is empty"));
     auto waypoints = parseWaypoints(*bytes);
     if (!waypoints) return unreadable(waypoints.error());
     content.bytes = std::move(*bytes);

@@ -59,25 +59,34 @@ std::optional<double> yawOfLong(const std::vector<double>& numbers, const char*&
 /// What is wrong with the origin, or nothing.
 std::optional<Fault> readOrigin(const YAML::Node& node, MapYaml& yaml) {
   constexpr std::size_t kLongest = 7;
-  if (!node) return fault::YamlWithoutOrigin;
-  if (!node.IsSequence() || node.size() < 2) return fault::OriginNoList;
+  if (!node)
+    return faultText(
+        "files",
+        "It has no origin, so the position of the map is unknown. Add for example: origin: [0.0, 0.0, 0.0]");
+  if (!node.IsSequence() || node.size() < 2)
+    return faultText("files", "Its origin is not a list of x, y and yaw.");
   if (node.size() > kLongest) return Fault(fault::OriginCount, {std::int64_t(node.size())});
   std::vector<double> numbers;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const auto number = numberOf(node[i]);
     const bool is_yaw = i == 2 && node.size() == 3;
-    if (is_yaw && !(number && std::isfinite(*number))) yaml.notes.push_back(fault::OriginTurnNoNumber);
-    if (!number && !is_yaw) return fault::OriginHoldsNoNumber;
+    if (is_yaw && !(number && std::isfinite(*number)))
+      yaml.notes.push_back(faultText("files", "The yaw of its origin is not a number; 0 is used."));
+    if (!number && !is_yaw) return faultText("files", "Its origin contains something that is not a number.");
     numbers.push_back(is_yaw && !(number && std::isfinite(*number)) ? 0 : *number);
   }
   double yaw = numbers.size() == 3 ? numbers[2] : 0;
-  if (numbers.size() == 2) yaml.notes.push_back(fault::OriginShort);
+  if (numbers.size() == 2)
+    yaml.notes.push_back(
+        faultText("files", "Its origin has two numbers, but map_server needs three. A yaw of 0 is used."));
   if (numbers.size() > 3) {
     const char* read_as = "";
     const auto turn = yawOfLong(numbers, read_as);
     if (!turn || !std::isfinite(*turn)) return Fault(fault::OriginCount, {std::int64_t(numbers.size())});
     yaw = *turn;
-    yaml.notes.push_back({fault::OriginLong, {std::int64_t(numbers.size()), std::string(read_as)}});
+    yaml.notes.push_back(
+        {faultText("files", "Its origin has %1 numbers, but map_server takes three. They were read as %2."),
+         {std::int64_t(numbers.size()), std::string(read_as)}});
   }
   yaml.grid.origin = {numbers[0], numbers[1], yaw};
   return std::nullopt;
@@ -85,14 +94,14 @@ std::optional<Fault> readOrigin(const YAML::Node& node, MapYaml& yaml) {
 
 std::optional<Fault> readNegate(const YAML::Node& node, MapYaml& yaml) {
   if (!node) {
-    yaml.notes.push_back(fault::NegateMissing);
+    yaml.notes.push_back(faultText("files", "negate is missing, but map_server needs it; 0 is assumed."));
     return std::nullopt;
   }
   const std::string text = node.IsScalar() ? lower(node.Scalar()) : std::string();
   if (text == "1" || text == "true" || text == "yes" || text == "on") {
     yaml.reading.negate = true;
   } else if (text != "0" && text != "false" && text != "no" && text != "off") {
-    return fault::NegateUnknown;
+    return faultText("files", "Its negate is neither 0 nor 1.");
   }
   return std::nullopt;
 }
@@ -100,12 +109,13 @@ std::optional<Fault> readNegate(const YAML::Node& node, MapYaml& yaml) {
 std::optional<Fault> readThreshold(const YAML::Node& node, const char* name, double& threshold,
                                    MapYaml& yaml) {
   if (!node) {
-    yaml.notes.push_back({fault::ThresholdMissing, {name, std::to_string(threshold).substr(0, 5)}});
+    yaml.notes.push_back({faultText("files", "%1 is missing, but map_server needs it; %2 is assumed."),
+                          {name, std::to_string(threshold).substr(0, 5)}});
     return std::nullopt;
   }
   const auto value = numberOf(node);
   if (!value || !(*value >= 0 && *value <= 1)) {
-    return Fault(fault::ThresholdNoNumber, {name});
+    return Fault(faultText("files", "Its %1 is not a number from 0 to 1."), {name});
   }
   threshold = *value;
   return std::nullopt;
@@ -120,17 +130,21 @@ std::optional<Fault> readMode(const YAML::Node& node, MapYaml& yaml) {
   } else if (mode == "raw") {
     yaml.reading.mode = map::CellReading::Mode::Raw;
   } else {
-    return fault::ModeUnknown;
+    return faultText("files", "Its mode is unknown. It must be trinary, scale or raw.");
   }
   return std::nullopt;
 }
 
 std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
   const YAML::Node image = root["image"];
-  if (!image || !image.IsScalar() || image.Scalar().empty()) return fault::YamlWithoutImage;
+  if (!image || !image.IsScalar() || image.Scalar().empty())
+    return faultText("files", "It does not name an image.");
   yaml.image = image.Scalar();
   const YAML::Node resolution = root["resolution"];
-  if (!resolution) return fault::YamlWithoutResolution;
+  if (!resolution)
+    return faultText(
+        "files",
+        "It has no resolution, so the position of the map is unknown. Add for example: resolution: 0.05");
   const auto metres = numberOf(resolution);
   if (!metres) return map::fault::ResolutionNoNumber;
   yaml.grid.resolution_m = *metres;
@@ -142,7 +156,9 @@ std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
     // They are of no use there, but map_server insists on them.
     for (const char* name : {"occupied_thresh", "free_thresh"}) {
       const YAML::Node threshold = root[name];
-      if (!threshold || !numberOf(threshold)) yaml.notes.push_back({fault::ThresholdNeeded, {name}});
+      if (!threshold || !numberOf(threshold))
+        yaml.notes.push_back(
+            {faultText("files", "%1 is missing or no number, but map_server needs it in any mode."), {name}});
     }
     return std::nullopt;
   }
@@ -152,7 +168,8 @@ std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
   if (auto why = readThreshold(root["free_thresh"], "free_thresh", yaml.reading.free_thresh, yaml))
     return why;
   if (yaml.reading.free_thresh >= yaml.reading.occupied_thresh) {
-    yaml.notes.push_back(fault::ThresholdsCrossed);
+    yaml.notes.push_back(
+        faultText("files", "Its free_thresh is not below its occupied_thresh, so no cell can be unknown."));
   }
   return std::nullopt;
 }
@@ -167,13 +184,14 @@ std::int64_t nanoseconds(const timespec& time) {
 }  // namespace
 
 tl::expected<MapYaml, Fault> parseMapYaml(const std::string& text) {
-  if (text.size() > kMaxYamlBytes) return refused(fault::YamlTooLong);
+  if (text.size() > kMaxYamlBytes) return refused(faultText("files", "It is too long for a map.yaml."));
   const auto document = yaml::readYaml(text);
   if (!document) return refused({fault::YamlBroken, {document.error().line}});
   MapYaml yaml;
   try {
     const YAML::Node& root = document->root;
-    if (!root.IsMap()) return refused(fault::YamlIsNone);
+    if (!root.IsMap())
+      return refused(faultText("files", "It is not a map.yaml: image, resolution and origin are missing."));
     if (auto why = readAll(root, yaml)) return refused(std::move(*why));
   } catch (const YAML::Exception& broken) {
     return refused({fault::YamlBroken, {broken.mark.line + 1}});
@@ -199,7 +217,8 @@ tl::expected<MapYaml, Fault> YamlShelf::read(const std::string& path) {
   const auto text = disk::readFile(path, kMaxYamlBytes + 1);
   tl::expected<MapYaml, Fault> yaml =
       text ? parseMapYaml(*text)
-           : tl::make_unexpected(Fault(fault::FileNotOpened, {path}, {text.error().cause}));
+           : tl::make_unexpected(
+                 Fault(faultText("files", "%1 cannot be opened"), {path}, {text.error().cause}));
   const bool settled = now_ns_() - std::max(stamp.modified_ns, stamp.changed_ns) > kCoarsestTimeNs;
   kept_.erase(path);
   if (!settled || !text) return yaml;

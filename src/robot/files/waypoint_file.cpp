@@ -165,7 +165,9 @@ std::optional<Understood> understand(const element& feature) {
   element yaw;
   if (properties["yaw_rad"].get(yaw) == simdjson::SUCCESS && !yaw.is_null()) {
     read.point.yaw_rad = finite(properties["yaw_rad"]);
-    if (!read.point.yaw_rad) read.odd.push_back(fault::WaypointTurnNoNumber);
+    if (!read.point.yaw_rad)
+      read.odd.push_back(
+          faultText("files", "The yaw_rad of waypoint %1 is not a number. It is shown without a heading."));
   }
   if (!read.point.yaw_rad) {
     for (const char* other : {"yaw", "yaw_deg", "heading", "theta", "orientation"}) {
@@ -224,7 +226,7 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
   const simdjson::padded_string padded(json);
   element file;
   if (const auto error = parser.parse(padded).get(file); error != simdjson::SUCCESS)
-    return refused({fault::FileNotJson, {simdjson::error_message(error)}});
+    return refused({faultText("files", "it is not JSON (%1)"), {simdjson::error_message(error)}});
   std::string_view type;
   simdjson::dom::array features;
   if (file["type"].get(type) != simdjson::SUCCESS || type != "FeatureCollection" ||
@@ -232,7 +234,11 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
     return refused(fault::NotAFeatureCollection);
   }
   if (const std::string system = systemInDegrees(file); !system.empty())
-    return refused({fault::WaypointsInDegrees, {system.substr(0, 80)}});
+    return refused(
+        {faultText("files",
+                   "its coordinates are longitude and latitude (crs %1), not metres of the map. If "
+                   "they are metres, remove \"crs\" from it"),
+         {system.substr(0, 80)}});
   Collection collection;
   collection.members = Cutter(json).members();
   int lists = 0;
@@ -241,14 +247,15 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
     ++lists;
     collection.features = Cutter(member.raw_value).elements();
   }
-  if (lists != 1) return refused(fault::SeveralFeatureLists);
+  if (lists != 1) return refused(faultText("files", "it has more than one list of features"));
   Names names;
   std::size_t points = 0;
   for (const element& feature : features) {
     auto read = understand(feature);
     if (read) {
       if (++points > kMaxWaypoints) {
-        return refused({fault::WaypointsTooMany, {std::to_string(kMaxWaypoints)}});
+        return refused(
+            {faultText("files", "it has more than %1 waypoints"), {std::to_string(kMaxWaypoints)}});
       }
       const std::string id = names.take(*read);
       if (read->has_id && id != read->point.id)
@@ -263,7 +270,8 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
     }
     collection.understood.push_back(std::move(read));
   }
-  if (collection.understood.size() != collection.features.size()) return refused(fault::TwoFeatureLists);
+  if (collection.understood.size() != collection.features.size())
+    return refused(faultText("files", "it has two lists of features"));
   for (std::size_t i = 0; i < collection.features.size(); ++i) {
     if (collection.understood[i]) collection.understood[i]->point.source = collection.features[i];
   }

@@ -109,7 +109,7 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
   map::SubmapAnswer answer;
   answer.key = key;
   answer.outcome = map::SubmapAnswer::Outcome::NotFound;
-  answer.reason = fault::RecordingLacksSubmap;
+  answer.reason = faultText("recorded", "The recording does not contain this submap.");
   const auto found = submaps_.find({key.uuid, key.id});
   if (found == submaps_.end()) return answer;
   auto version =
@@ -234,7 +234,10 @@ Outcome<std::shared_ptr<const std::string>> KeptThings::picture(const std::strin
   if (mark != std::string::npos) std::from_chars(name.data() + mark + 1, name.data() + name.size(), which);
   const auto found = by_name_.find(recorder::pictureName(url));
   const map::Subject subject(map::SubjectKind::Topic, topic);
-  if (found == by_name_.end()) return fail(wire::unfit(subject, fault::RecordingLacksPicture));
+  if (found == by_name_.end())
+    return fail(wire::unfit(
+        subject,
+        faultText("recorded", "The recording does not contain the picture that this message names.")));
   auto bytes = bytesAt(found->second[std::min(which, found->second.size() - 1)]);
   if (!bytes) return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {found->first}}));
   return std::make_shared<const std::string>(std::move(*bytes));

@@ -155,7 +155,9 @@ tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message
 tl::expected<FramePtr, Fault> MessageFields::readOther(const recording::Message& message) {
   const std::string& encoding = message.channel->message_encoding;
   if (encoding == "protobuf") return readAsItIs(message);
-  return tl::unexpected(Fault(fault::MessageEncodingUnknown, {encoding}));
+  return tl::unexpected(Fault(
+      faultText("recorded", "Messages with encoding \"%1\" are not supported, only their bytes are shown."),
+      {encoding}));
 }
 
 std::string jsonText(std::string_view text) {

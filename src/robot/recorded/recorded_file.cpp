@@ -115,8 +115,9 @@ std::optional<Fault> RecordedFile::whyNoRobot() const {
         return ros::isBelow(channel->topic, options_.ns);
       }))
     return std::nullopt;
-  if (robots.empty()) return Fault(fault::RecordingOfOneRobot, {options_.ns});
-  return Fault(fault::RecordingLacksRobot, {options_.ns, listOf(robots)});
+  if (robots.empty())
+    return Fault(faultText("recorded", "It contains no topic in the namespace %1."), {options_.ns});
+  return Fault(faultText("recorded", "It contains no robot %1, only %2."), {options_.ns, listOf(robots)});
 }
 
 void RecordedFile::tellNotes() {
@@ -127,7 +128,10 @@ void RecordedFile::tellNotes() {
                                                                      : parts_->shape.robots.front();
     tell({map::Severity::Info,
           subjectOf(ownKey()),
-          {fault::RecordingOfRobots, {listOf(parts_->robots), shown}},
+          {faultText("recorded",
+                     "It contains several robots: %1. Shown as the robot is %2. To see another one, add "
+                     "?ns=/NAMESPACE to the address of the file."),
+           {listOf(parts_->robots), shown}},
           map::ProblemCode::Odd});
   }
   for (const recording::Note& note : parts_->file->summary().notes) {

@@ -20,7 +20,7 @@ map::Failure onlyRead(map::Subject subject) {
           .subject = std::move(subject),
           .asked_for = map::AskedFor::Change,
           .reason = map::FailureReason::Told,
-          .cause = {fault::RecordingOnlyRead}};
+          .cause = {faultText("recorded", "recordings on this computer are read-only here")}};
 }
 
 }  // namespace

@@ -27,8 +27,11 @@ using Code = recording::NoteCode;
 // Without NotFinished (interruptionOf) and TimeUnusable, which is counted when messages are read
 // (BagChunk::without_stamp).
 constexpr NoteFault kNoteFaults[] = {
-    {Code::NoIndex, fault::RecordingWithoutIndex, Says::Nothing, false},
-    {Code::IndexUnusable, fault::RecordingIndexUnusable, Says::Nothing, false},
+    {Code::NoIndex,
+     faultText("recorded", "It has no index, so the whole file was scanned. Opening it takes longer."),
+     Says::Nothing, false},
+    {Code::IndexUnusable, faultText("recorded", "Its index is damaged, so the whole file was scanned."),
+     Says::Nothing, false},
     {Code::CutOff, fault::RecordingCutOff, Says::Place, true},
     {Code::BytesSkipped, fault::RecordingBytesSkipped, Says::CountAndPlace, true},
     {Code::ChunkCorrupt, fault::RecordingChunksCorrupt, Says::CountAndPlace, true},
@@ -41,10 +44,14 @@ constexpr NoteFault kNoteFaults[] = {
     {Code::UnknownChannel, fault::RecordingChannelsUnknown, Says::CountAndPlace, true},
     {Code::ChannelChanged, fault::RecordingChannelsChanged, Says::CountAndPlace, false},
     {Code::AttachmentCorrupt, fault::RecordingFileInItCorrupt, Says::Name, true},
-    {Code::Unreadable, fault::RecordingNotReadByDisk, Says::Place, true},
+    {Code::Unreadable, faultText("recorded", "The disk cannot read it at byte %1."), Says::Place, true},
     {Code::TableDamaged, fault::RecordingTableDamaged, Says::Count, true},
-    {Code::FileMissing, fault::RecordingPartMissing, Says::Name, true},
-    {Code::Unpacked, fault::RecordingUnpacked, Says::Nothing, false}};
+    {Code::FileMissing,
+     faultText("recorded", "Its file %1 is missing or cannot be read. The others are played."), Says::Name,
+     true},
+    {Code::Unpacked,
+     faultText("recorded", "It is compressed as a whole (zstd), so it was unpacked to a temporary file."),
+     Says::Nothing, false}};
 
 std::optional<std::int64_t> numberIn(const recording::Values& values, const char* name) {
   const auto found = values.find(name);
@@ -94,11 +101,18 @@ bool isLoss(recording::NoteCode code) {
 
 Fault reasonOf(const recording::Failure& failure) {
   using Why = recording::Failure::Code;
-  if (failure.code == Why::NotOne) return fault::RecordingIsNone;
-  if (failure.code == Why::NotUnpacked) return fault::RecordingNotUnpacked;
-  if (failure.code == Why::Pointer) return fault::RecordingIsPointer;
-  if (failure.code == Why::Version) return fault::RecordingOfOtherVersion;
-  if (failure.code == Why::Encrypted) return fault::RecordingEncrypted;
+  if (failure.code == Why::NotOne)
+    return faultText("recorded", "It is neither an MCAP file nor a bag of ROS 1 or ROS 2.");
+  if (failure.code == Why::NotUnpacked)
+    return faultText("recorded", "It is compressed (zstd), and damaged or too large to be unpacked.");
+  if (failure.code == Why::Pointer)
+    return faultText("recorded",
+                     "It is a pointer of Git LFS, not the recording itself (git lfs pull fetches it).");
+  if (failure.code == Why::Version)
+    return faultText("recorded",
+                     "This version of the format is not supported. MCAP 0 and ROS bags of version 2.0 are.");
+  if (failure.code == Why::Encrypted)
+    return faultText("recorded", "Its messages are encrypted. Decrypt it with rosbag first.");
   return {fault::RecordingNotOpened, {failure.file.path}, {failure.file.cause}};
 }
 
@@ -106,13 +120,15 @@ Fault reasonOf(const recording::RosSchemaFault& fault, const std::string& type) 
   using Why = recording::RosSchemaFault::Code;
   switch (fault.code) {
     case Why::TooLong:
-      return {fault::RosSchemaTooLong, {type}};
+      return {faultText("recorded", "The definition of %1 is longer than that of any real message."), {type}};
     case Why::NotAField:
-      return {fault::RosSchemaBroken, {type, std::int64_t(fault.line), fault.word}};
+      return {faultText("recorded", "The definition of %1 cannot be read (line %2: \"%3\")."),
+              {type, std::int64_t(fault.line), fault.word}};
     case Why::UnknownType:
-      return {fault::RosSchemaTypeUnknown, {type, fault.word}};
+      return {faultText("recorded", "The definition of %1 does not define %2."), {type, fault.word}};
     case Why::HoldsItself:
-      return {fault::RosSchemaHoldsItself, {type, fault.word}};
+      return {faultText("recorded", "The definition of %1 is recursive: %2 contains itself."),
+              {type, fault.word}};
   }
   return {};
 }
@@ -121,13 +137,18 @@ Fault reasonOf(const recording::RosDecodeFault& fault, const std::string& encodi
   using Why = recording::RosDecodeFault::Code;
   switch (fault.code) {
     case Why::NotThisEncoding:
-      return {fault::RosMessageOtherwise, {encoding}};
+      return {
+          faultText("recorded", "The encoding of the message is not the one stated in the recording (%1)."),
+          {encoding}};
     case Why::CutOff:
-      return {fault::RosMessageCutOff, {fault.field}};
+      return {faultText("recorded", "The message ends inside its field \"%1\"."), {fault.field}};
     case Why::TooMany:
-      return {fault::RosMessageTooLarge, {fault.field}};
+      return {faultText("recorded", "The message is too large to be read, at its field \"%1\"."),
+              {fault.field}};
     case Why::NotSupported:
-      return {fault::RosMessageWideText, {fault.field}};
+      return {
+          faultText("recorded", "The message has a field of type wstring (\"%1\"), which is not supported."),
+          {fault.field}};
   }
   return {};
 }
@@ -189,8 +210,10 @@ std::vector<BagAway> awayIn(const recording::Source& file) {
 
 Fault reasonOf(const BagAway& away) {
   const std::string from = timeWords(recording::nanosecondsOf(away.from_s));
-  if (!away.until_s) return {fault::RecordingLinkGone, {from}};
-  return {fault::RecordingLinkAway, {from, timeWords(recording::nanosecondsOf(*away.until_s))}};
+  if (!away.until_s)
+    return {faultText("recorded", "The connection to the robot was lost from %1 to the end."), {from}};
+  return {faultText("recorded", "The connection to the robot was lost from %1 to %2."),
+          {from, timeWords(recording::nanosecondsOf(*away.until_s))}};
 }
 
 }  // namespace mapwright::robot::recorded
