@@ -96,7 +96,8 @@ std::optional<Fault> writeDifference(const Comparison& comparison, const std::st
     }
     good = png.row(rgb.data(), rgb.size());
   }
-  if (!good && file.good()) return Fault(fault::DifferenceNotEncoded, {path});
+  if (!good && file.good())
+    return Fault(faultText("compare", "%1: the picture of the differences cannot be encoded."), {path});
   const auto error = file.place();
   return error ? std::optional(disk::notWritten(*error)) : std::nullopt;
 }

@@ -18,8 +18,5 @@ inline constexpr FaultCode PictureEndsEarly{
 /// path, its size, that of the expected picture
 inline constexpr FaultCode MaskOfOtherSize{
     "compare", QT_TRANSLATE_NOOP("compare", "The mask %1 is %2 pixels, but the expected picture is %3.")};
-/// path
-inline constexpr FaultCode DifferenceNotEncoded{
-    "compare", QT_TRANSLATE_NOOP("compare", "%1: the picture of the differences cannot be encoded.")};
 
 }  // namespace mapwright::compare::fault

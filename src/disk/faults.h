@@ -10,12 +10,7 @@ using namespace mapwright::fault;  // what all rooms share
 // Files of any kind.
 /// path; because: why
 inline constexpr FaultCode FileNotWritten{"disk", QT_TRANSLATE_NOOP("disk", "%1 cannot be written")};
-/// because: why
-inline constexpr FaultCode OutputNotWritten{
-    "disk", QT_TRANSLATE_NOOP("disk", "The standard output cannot be written")};
 inline constexpr FaultCode IsAFolder{"disk", QT_TRANSLATE_NOOP("disk", "it is a directory")};
-inline constexpr FaultCode IsADisk{"disk", QT_TRANSLATE_NOOP("disk", "it is a block device, not a file")};
-inline constexpr FaultCode IsASocket{"disk", QT_TRANSLATE_NOOP("disk", "it is a socket, not a file")};
 inline constexpr FaultCode NotARegularFile{"disk", QT_TRANSLATE_NOOP("disk", "it is not a regular file")};
 inline constexpr FaultCode GitLfsPointer{
     "disk",
@@ -23,8 +18,5 @@ inline constexpr FaultCode GitLfsPointer{
 /// folder, the system's words
 inline constexpr FaultCode NoFileInFolder{"disk",
                                           QT_TRANSLATE_NOOP("disk", "no file can be created in %1 (%2)")};
-inline constexpr FaultCode NobodyReadsPipe{"disk", QT_TRANSLATE_NOOP("disk", "nothing reads from this pipe")};
-inline constexpr FaultCode ReaderTakesNothing{
-    "disk", QT_TRANSLATE_NOOP("disk", "the program that reads from it is blocked")};
 
 }  // namespace mapwright::disk::fault

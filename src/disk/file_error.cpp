@@ -11,7 +11,8 @@ FileError systemError(std::string path, int error) {
 }
 
 Fault notWritten(const FileError& error) {
-  if (isStandardOutput(error.path)) return {fault::OutputNotWritten, {}, {error.cause}};
+  if (isStandardOutput(error.path))
+    return {faultText("disk", "The standard output cannot be written"), {}, {error.cause}};
   return {fault::FileNotWritten, {error.path}, {error.cause}};
 }
 

@@ -94,7 +94,8 @@ WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
   } else if (S_ISCHR(about.st_mode) || S_ISFIFO(about.st_mode)) {
     openThrough(S_ISFIFO(about.st_mode));
   } else {
-    fail(S_ISBLK(about.st_mode) ? fault::IsADisk : fault::IsASocket);
+    fail(S_ISBLK(about.st_mode) ? faultText("disk", "it is a block device, not a file")
+                                : faultText("disk", "it is a socket, not a file"));
   }
 }
 
@@ -205,7 +206,8 @@ void WrittenFile::openThrough(bool pipe) {
     fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (fd_ >= 0) return;
     if (!pipe || errno != ENXIO) return fail(errno);
-    if (std::chrono::steady_clock::now() > until) return fail(fault::NobodyReadsPipe);
+    if (std::chrono::steady_clock::now() > until)
+      return fail(faultText("disk", "nothing reads from this pipe"));
     std::this_thread::sleep_for(kLookForReaderEvery);
   }
 }
@@ -231,7 +233,7 @@ bool WrittenFile::waitForRoom() {
   pollfd room{fd_, POLLOUT, 0};
   const int ready = ::poll(&room, 1, patient_ ? -1 : kReaderSilentMs);
   if (ready > 0 || (ready < 0 && errno == EINTR)) return true;
-  ready == 0 ? fail(fault::ReaderTakesNothing) : fail(errno);
+  ready == 0 ? fail(faultText("disk", "the program that reads from it is blocked")) : fail(errno);
   return false;
 }
 

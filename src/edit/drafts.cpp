@@ -76,7 +76,9 @@ std::unique_ptr<QLockFile> lockOf(const QString& path) {
   return lock;
 }
 
-Fault notRemoved(const QString& path) { return {fault::DraftNotRemoved, {path.toStdString()}}; }
+Fault notRemoved(const QString& path) {
+  return {faultText("edit", "The draft %1 cannot be removed."), {path.toStdString()}};
+}
 
 }  // namespace
 
@@ -141,7 +143,10 @@ std::optional<Fault> DraftFile::write(const QByteArray& bytes) {
     return Fault(fault::DraftFolderNotMade, {folder_.toStdString()});
   if (!lock_) {
     auto lock = lockOf(path_);
-    if (!lock->tryLock()) return Fault(fault::DraftFileNotMade, {folder_.toStdString()});
+    if (!lock->tryLock())
+      return Fault(
+          faultText("edit", "Drafts cannot be saved: no file can be created in %1. Is the disk full?"),
+          {folder_.toStdString()});
     lock_ = std::move(lock);
   }
   const auto fault = disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
@@ -171,7 +176,9 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
     if (!QFile::exists(draft.path)) continue;
     auto bytes = disk::readFile(draft.path.toStdString(), kLongestDraft);
     if (!bytes) {
-      left.notes.push_back({fault::DraftNotRead, {draft.path.toStdString()}, {bytes.error().cause}});
+      left.notes.push_back({faultText("edit", "The draft %1 cannot be read"),
+                            {draft.path.toStdString()},
+                            {bytes.error().cause}});
       continue;
     }
     draft.bytes = QByteArray::fromStdString(*bytes);
@@ -192,8 +199,10 @@ Fault setAside(LeftDraft draft) {
   const QString aside = draft.path + QStringLiteral(".broken");
   QFile::remove(aside);
   const std::string path = draft.path.toStdString();
-  if (!QFile::rename(draft.path, aside)) return {fault::DraftBroken, {path}};
-  return {fault::DraftSetAside, {path, aside.toStdString()}};
+  if (!QFile::rename(draft.path, aside))
+    return {faultText("edit", "The draft %1 is not in a known format."), {path}};
+  return {faultText("edit", "The draft %1 is not in a known format. It was renamed to %2."),
+          {path, aside.toStdString()}};
 }
 
 Later byTheClock() {

@@ -115,7 +115,9 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
     const bool gone = !stored.there && !document_.kept().empty();
     if (!gone) return document_.take(itemsOf(stored.points));
     document_.takeGone();
-    Q_EMIT remarked(fault::WaypointListGone);
+    Q_EMIT remarked(faultText("edit",
+                              "The saved waypoint draft has disappeared. The waypoints are still open here: "
+                              "saving writes them again."));
   } else {
     document_.reset(itemsOf(stored.points));
     lookForDrafts();

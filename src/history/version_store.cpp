@@ -129,7 +129,9 @@ tl::expected<VersionStore, Fault> VersionStore::open(const std::string& path, Li
 }
 
 Fault VersionStore::problem() const {
-  return {fault::StoreNotUsable, {path_}, {fault::said(sqlite3_errmsg(database_.get()))}};
+  return {faultText("history", "The versions kept in %1 cannot be read or written"),
+          {path_},
+          {fault::said(sqlite3_errmsg(database_.get()))}};
 }
 
 std::optional<Fault> VersionStore::run(const char* sql) const {
@@ -207,9 +209,11 @@ tl::expected<std::string, Fault> VersionStore::text(std::int64_t number) const {
   if (found == SQLITE_ROW) {
     std::string text = one.text(0);
     if (one.none(1) || one.number(1) == sumOf(text)) return text;
-    return tl::make_unexpected(Fault(fault::VersionDamaged, {number}));
+    return tl::make_unexpected(
+        Fault(faultText("history", "Version %1 is damaged on the disk. Nothing is done with it."), {number}));
   }
-  if (found == SQLITE_DONE) return tl::make_unexpected(Fault(fault::NoSuchVersion, {number}));
+  if (found == SQLITE_DONE)
+    return tl::make_unexpected(Fault(faultText("history", "There is no version %1 here."), {number}));
   return tl::make_unexpected(problem());
 }
 

@@ -24,18 +24,23 @@ class OverlaysText {
 };
 
 map::Failure otherMap(const map::MapKey& key, const std::string& name) {
-  return {.kind = map::FailureKind::Conflict,
-          .subject = map::subjectOf(key),
-          .asked_for = map::AskedFor::Change,
-          .reason = map::FailureReason::Unfit,
-          .cause = {fault::AnotherMap, {name}}};
+  return {
+      .kind = map::FailureKind::Conflict,
+      .subject = map::subjectOf(key),
+      .asked_for = map::AskedFor::Change,
+      .reason = map::FailureReason::Unfit,
+      .cause = {
+          faultText("jobs",
+                    "This version is of another map than \"%1\". Pass --map to use it there all the same."),
+          {name}}};
 }
 
 map::Failure unreadable(const map::MapKey& key, Fault why) {
-  return {.kind = map::FailureKind::MalformedAnswer,
-          .subject = map::subjectOf(key),
-          .reason = map::FailureReason::Unfit,
-          .cause = {fault::OverlaysNotRead, {}, {std::move(why)}}};
+  return {
+      .kind = map::FailureKind::MalformedAnswer,
+      .subject = map::subjectOf(key),
+      .reason = map::FailureReason::Unfit,
+      .cause = {faultText("jobs", "The overlays that the robot holds cannot be read"), {}, {std::move(why)}}};
 }
 
 /// The steps of one order, one request after the other.

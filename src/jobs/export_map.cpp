@@ -72,7 +72,8 @@ std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
   png.open(QIODevice::WriteOnly);
   QImageWriter writer(&png, "png");
   if (!writer.write(picture)) {
-    return Fault(fault::PictureNotEncoded, {path.toStdString(), writer.errorString().toStdString()});
+    return Fault(faultText("jobs", "The picture for %1 cannot be encoded: %2."),
+                 {path.toStdString(), writer.errorString().toStdString()});
   }
   const auto fault = disk::writeFile(
       path.toStdString(), std::string_view(png.data().constData(), std::size_t(png.data().size())));

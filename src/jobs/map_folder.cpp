@@ -124,8 +124,9 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     lock_ = std::make_unique<QLockFile>(in(done_.folder, kLockFile));
     lock_->setStaleLockTime(0);
     if (!lock_->tryLock(0))
-      return end(
-          robot::fail(aboutFile(parts_.facts, Fault(fault::FolderInUse, {done_.folder.toStdString()}))));
+      return end(robot::fail(aboutFile(
+          parts_.facts,
+          Fault(faultText("jobs", "Another download into %1 is under way."), {done_.folder.toStdString()}))));
     under_way_ = transfer_.download(
         parts_.facts, in(done_.folder, kDataFile),
         [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->takeData(std::move(data)); });

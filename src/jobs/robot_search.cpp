@@ -57,7 +57,8 @@ void RobotSearch::giveUp(std::chrono::milliseconds within) {
   delete std::exchange(asking_, nullptr);
   const std::string seconds = QString::number(double(within.count()) / 1000).toStdString();
   for (Row& row : rows_) {
-    if (!row.answer) row.answer = robot::ProbeAnswer{{}, {fault::NothingWithin, {seconds}}};
+    if (!row.answer)
+      row.answer = robot::ProbeAnswer{{}, {faultText("jobs", "no answer within %1 s"), {seconds}}};
   }
   waits_for_ = 0;
   Q_EMIT changed();

@@ -147,12 +147,12 @@ class JsonReading {
   bool read() {
     if (text_.size() > JsonText::kLongest) return wrong(0, fault::TooLong);
     if (const std::size_t bad = endOfUtf8(text_); bad != std::string_view::npos)
-      return wrong(bad, fault::NotUtf8);
+      return wrong(bad, faultText("json", "the text is not UTF-8"));
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
     skipSpace();
     if (!value(0, 0, 0)) return false;
     skipSpace();
-    return at_ == text_.size() || wrong(at_, fault::TextGoesOn);
+    return at_ == text_.size() || wrong(at_, faultText("json", "something follows the end of the JSON"));
   }
 
   JsonError error() const {
@@ -183,7 +183,8 @@ class JsonReading {
   }
 
   bool value(int depth, std::size_t key_begin, std::size_t key_end) {
-    if (depth > JsonText::kDeepest) return wrong(at_, fault::TooDeep);
+    if (depth > JsonText::kDeepest)
+      return wrong(at_, faultText("json", "objects and lists are nested too deeply"));
     const std::size_t node = out_.nodes_.size();
     const std::size_t begin = at_;
     out_.nodes_.push_back(
@@ -218,7 +219,7 @@ class JsonReading {
     kind = JsonKind::True;
     if (took("true")) return true;
     kind = JsonKind::False;
-    return took("false") || wrong(at_, fault::NoValue);
+    return took("false") || wrong(at_, faultText("json", "a value is expected here"));
   }
 
   bool object(int depth) {
@@ -227,7 +228,8 @@ class JsonReading {
     if (next('}')) return ++at_, true;
     for (;;) {
       skipSpace();
-      if (!next('"')) return wrong(at_, fault::NoName);
+      if (!next('"'))
+        return wrong(at_, faultText("json", "the name of a member is expected here, in quotes"));
       const std::size_t begin = at_;
       if (!string()) return false;
       const std::size_t end = at_;
@@ -358,7 +360,9 @@ JsonText JsonText::rewritten(std::vector<Rewrite> rewrites) {
 }
 
 Fault faultOf(const JsonError& error) {
-  return {fault::NotJson, {std::int64_t(error.line), std::int64_t(error.column)}, {error.reason}};
+  return {faultText("json", "line %1, column %2"),
+          {std::int64_t(error.line), std::int64_t(error.column)},
+          {error.reason}};
 }
 
 JsonKind JsonValue::kind() const { return text_->nodes_[node_].kind; }

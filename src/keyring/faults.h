@@ -11,10 +11,5 @@ inline constexpr FaultCode NoKeyRing{"keyring",
                                      QT_TRANSLATE_NOOP("keyring", "there is no key ring on this computer")};
 inline constexpr FaultCode KeyRingDenied{"keyring",
                                          QT_TRANSLATE_NOOP("keyring", "the key ring stays locked")};
-/// its words
-inline constexpr FaultCode KeyRingFailed{"keyring",
-                                         QT_TRANSLATE_NOOP("keyring", "the key ring answered: %1")};
-inline constexpr FaultCode KeyRingSilent{"keyring",
-                                         QT_TRANSLATE_NOOP("keyring", "the key ring does not answer")};
 
 }  // namespace mapwright::keyring::fault

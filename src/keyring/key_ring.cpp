@@ -35,8 +35,8 @@ Fault faultOf(const QKeychain::Job& job) {
       break;
   }
   if (!hasSessionBus()) return {fault::NoKeyRing};
-  if (job.errorString().trimmed().isEmpty()) return {fault::KeyRingSilent};
-  return {fault::KeyRingFailed, {job.errorString().left(300).toStdString()}};
+  if (job.errorString().trimmed().isEmpty()) return {faultText("keyring", "the key ring does not answer")};
+  return {faultText("keyring", "the key ring answered: %1"), {job.errorString().left(300).toStdString()}};
 }
 
 class SystemKeyRing : public KeyRing {

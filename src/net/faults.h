@@ -11,8 +11,6 @@ using namespace mapwright::fault;  // what all rooms share
 
 // What goes over the network. Hosts come with their ports.
 inline constexpr FaultCode RequestCancelled{"net", QT_TRANSLATE_NOOP("net", "cancelled")};
-inline constexpr FaultCode NoWebAddress{"net",
-                                        QT_TRANSLATE_NOOP("net", "this is not the address of a web server")};
 /// host
 inline constexpr FaultCode ConnectionRefused{"net", QT_TRANSLATE_NOOP("net", "connection refused by %1")};
 /// name
@@ -22,8 +20,6 @@ inline constexpr FaultCode ConnectionClosed{"net",
 /// the robot's words
 inline constexpr FaultCode ConnectionClosedSaying{
     "net", QT_TRANSLATE_NOOP("net", "the robot closed the connection: %1")};
-/// host
-inline constexpr FaultCode ConnectionBroke{"net", QT_TRANSLATE_NOOP("net", "the connection to %1 was lost")};
 /// host, the system's words
 inline constexpr FaultCode ConnectionNotSecure{
     "net",
@@ -38,30 +34,9 @@ inline constexpr FaultCode NoAnswerWithin{"net", QT_TRANSLATE_NOOP("net", "no an
 /// host
 inline constexpr FaultCode LeadsToAnotherServer{
     "net", QT_TRANSLATE_NOOP("net", "the robot redirects to another server, %1, which is not followed")};
-inline constexpr FaultCode LeadsToAnotherAddress{
-    "net", QT_TRANSLATE_NOOP("net", "the robot redirects to another address, which is not followed")};
-inline constexpr FaultCode LeadsInCircles{"net", QT_TRANSLATE_NOOP("net", "the robot redirects without end")};
-/// bytes
-inline constexpr FaultCode AnswerBrokeOff{"net",
-                                          QT_TRANSLATE_NOOP("net", "the answer was cut off after %1 bytes")};
-/// bytes, of how many
-inline constexpr FaultCode AnswerBrokeOffEarly{
-    "net", QT_TRANSLATE_NOOP("net", "the answer was cut off after %1 of %2 bytes")};
-/// HTTP status
-inline constexpr FaultCode AnsweredWithStatus{"net", QT_TRANSLATE_NOOP("net", "the robot answered %1")};
 /// HTTP status, the robot's words
 inline constexpr FaultCode AnsweredWithStatusSaying{"net",
                                                     QT_TRANSLATE_NOOP("net", "the robot answered %1: %2")};
-inline constexpr FaultCode NoAddressToConnectTo{
-    "net", QT_TRANSLATE_NOOP("net", "there is no address to connect to")};
-/// host
-inline constexpr FaultCode NoWebSocketThere{"net",
-                                            QT_TRANSLATE_NOOP("net", "%1 does not answer as a WebSocket")};
-inline constexpr FaultCode ClosedBeforeOpen{
-    "net", QT_TRANSLATE_NOOP("net", "the robot closed the connection before it was established")};
-/// host
-inline constexpr FaultCode BrokeBeforeOpen{
-    "net", QT_TRANSLATE_NOOP("net", "the connection to %1 was lost before it was established")};
 /// HTTP status
 inline constexpr FaultCode ConnectionForbidden{
     "net",
@@ -72,12 +47,6 @@ inline constexpr FaultCode ConnectionRejected{
 /// the most bytes
 inline constexpr FaultCode MessageTooLong{"net",
                                           QT_TRANSLATE_NOOP("net", "a message exceeds the %1 bytes allowed")};
-/// path
-inline constexpr FaultCode FolderNotMade{"net", QT_TRANSLATE_NOOP("net", "the folder %1 cannot be created")};
-/// path, the system's words
-inline constexpr FaultCode FileNotRemoved{"net", QT_TRANSLATE_NOOP("net", "%1 cannot be removed: %2")};
-/// path, the system's words
-inline constexpr FaultCode FileNotKept{"net", QT_TRANSLATE_NOOP("net", "%1 cannot be written: %2")};
 
 // Certificates. Days are texts.
 /// host, SHA-256; because: why
@@ -87,34 +56,19 @@ inline constexpr FaultCode CertificateUntrusted{
 inline constexpr FaultCode CertificateChanged{
     "net", QT_TRANSLATE_NOOP("net", "the certificate of %1 has changed. Trusted (SHA-256): %2. Now: %3")};
 inline constexpr FaultCode SelfSigned{"net", QT_TRANSLATE_NOOP("net", "it is self-signed")};
-inline constexpr FaultCode AuthorityUnnamed{
-    "net", QT_TRANSLATE_NOOP("net", "it was issued by an unknown authority")};
 /// its name
 inline constexpr FaultCode AuthorityUnknown{
     "net", QT_TRANSLATE_NOOP("net", "it was issued by %1, which is not trusted here")};
 /// day
 inline constexpr FaultCode CertificateExpired{"net", QT_TRANSLATE_NOOP("net", "it expired on %1")};
 /// day
-inline constexpr FaultCode AuthorityExpired{
-    "net", QT_TRANSLATE_NOOP("net", "the certificate of its authority expired on %1")};
-/// day
 inline constexpr FaultCode CertificateNotYetValid{
     "net", QT_TRANSLATE_NOOP("net", "it is not valid before %1, by the clock of this computer")};
 /// name
 inline constexpr FaultCode CertificateOfOtherName{
     "net", QT_TRANSLATE_NOOP("net", "it was issued for another name (%1)")};
-inline constexpr FaultCode CertificateWithoutName{"net",
-                                                  QT_TRANSLATE_NOOP("net", "it was issued without a name")};
 inline constexpr FaultCode CertificateWithdrawn{"net", QT_TRANSLATE_NOOP("net", "it was revoked")};
 inline constexpr FaultCode CertificateIsAnother{"net", QT_TRANSLATE_NOOP("net", "it is not the trusted one")};
-/// path, the system's words
-inline constexpr FaultCode AuthoritiesNotRead{
-    "net", QT_TRANSLATE_NOOP("net", "The certificate file %1 cannot be read: %2.")};
-/// path
-inline constexpr FaultCode NoAuthoritiesInFile{
-    "net",
-    QT_TRANSLATE_NOOP(
-        "net", "The certificate file %1 contains no certificate in PEM form (-----BEGIN CERTIFICATE-----).")};
 
 }  // namespace mapwright::net::fault
 

@@ -101,7 +101,7 @@ void touch(const std::string& path, qint64 now_ms) {
 Fault makeFolder(const QString& path) {
   if (QFileInfo(path).isDir()) return {};
   if (QDir().mkpath(path) && QFile::setPermissions(path, kPrivateFolder)) return {};
-  return faultOf(fault::FolderNotMade, {path});
+  return faultOf(faultText("net", "the folder %1 cannot be created"), {path});
 }
 
 }  // namespace
@@ -185,7 +185,8 @@ class HttpCache::Folder {
       failure = tryIt();
     }
     if (failure != 0)
-      return faultOf(fault::FileNotKept, {path, QString::fromLocal8Bit(std::strerror(failure))});
+      return faultOf(faultText("net", "%1 cannot be written: %2"),
+                     {path, QString::fromLocal8Bit(std::strerror(failure))});
     bytes_ += bytes.size() - before;
     return bytes_ > budget_bytes_ ? evict(path) : Fault();
   }
@@ -213,7 +214,8 @@ class HttpCache::Folder {
   Fault removeFile(const QString& path) {
     QFile file(path);
     const qint64 size = file.size();
-    if (file.exists() && !file.remove()) return faultOf(fault::FileNotRemoved, {path, file.errorString()});
+    if (file.exists() && !file.remove())
+      return faultOf(faultText("net", "%1 cannot be removed: %2"), {path, file.errorString()});
     if (bytes_ >= 0) bytes_ -= size;
     return {};
   }

@@ -112,7 +112,7 @@ Fault whyUnreachable(QNetworkReply::NetworkError error, const QString& error_tex
     case QNetworkReply::TimeoutError:
       return faultOf(fault::HostSilent, {hostAndPort(url)});
     case QNetworkReply::UnknownNetworkError:
-      return faultOf(fault::ConnectionBroke, {hostAndPort(url)});
+      return faultOf(faultText("net", "the connection to %1 was lost"), {hostAndPort(url)});
     default:
       return faultOf(fault::HostNotReached, {hostAndPort(url), plainText(error_text)});
   }
@@ -236,8 +236,10 @@ HttpAnswer tooLarge(const HttpJob& job) {
 HttpAnswer brokenOff(const HttpJob& job) {
   const qint64 length = declaredLength(*job.network_reply);
   return failure(HttpAnswer::Kind::Unreachable,
-                 length > 0 ? faultOf(fault::AnswerBrokeOffEarly, {grouped(job.received()), grouped(length)})
-                            : faultOf(fault::AnswerBrokeOff, {grouped(job.received())}));
+                 length > 0 ? faultOf(faultText("net", "the answer was cut off after %1 of %2 bytes"),
+                                      {grouped(job.received()), grouped(length)})
+                            : faultOf(faultText("net", "the answer was cut off after %1 bytes"),
+                                      {grouped(job.received())}));
 }
 
 /// The robot's answer with `status`. Takes the body.
@@ -249,9 +251,10 @@ HttpAnswer answerOf(HttpJob& job, int status) {
   answer.body = std::move(job.body);
   if (!answer.ok()) {
     answer.said = errorText(answer.body, answer.content_type);
-    answer.reason = answer.said.isEmpty() ? Fault(fault::AnsweredWithStatus, {HttpStatus{status}})
-                                          : Fault(fault::AnsweredWithStatusSaying,
-                                                  {HttpStatus{status}, answer.said.toStdString()});
+    answer.reason =
+        answer.said.isEmpty()
+            ? Fault(faultText("net", "the robot answered %1"), {HttpStatus{status}})
+            : Fault(fault::AnsweredWithStatusSaying, {HttpStatus{status}, answer.said.toStdString()});
   }
   return answer;
 }
@@ -356,7 +359,8 @@ class HttpClient::Impl {
     const QString scheme = job->url.scheme();
     if (!job->url.isValid() || job->url.host().isEmpty() ||
         (scheme != QLatin1String("http") && scheme != QLatin1String("https"))) {
-      finish(id, failure(HttpAnswer::Kind::Refused, fault::NoWebAddress));
+      finish(id,
+             failure(HttpAnswer::Kind::Refused, faultText("net", "this is not the address of a web server")));
       return;
     }
     const bool unusable = unusable_.remove(job->url.toEncoded());
@@ -558,11 +562,12 @@ class HttpClient::Impl {
       return;
     }
     if (job.request.method != HttpMethod::Get) {
-      finish(id, failure(HttpAnswer::Kind::Refused, fault::LeadsToAnotherAddress));
+      finish(id, failure(HttpAnswer::Kind::Refused,
+                         faultText("net", "the robot redirects to another address, which is not followed")));
       return;
     }
     if (++job.redirects > kMaxRedirects) {
-      finish(id, failure(HttpAnswer::Kind::Refused, fault::LeadsInCircles));
+      finish(id, failure(HttpAnswer::Kind::Refused, faultText("net", "the robot redirects without end")));
       return;
     }
     qCDebug(lcNet, "%s leads to %s", qUtf8Printable(urlForLog(job.url)), qUtf8Printable(urlForLog(target)));

@@ -50,12 +50,13 @@ Fault whyRejected(const QSslCertificate& leaf, const QSslError& error) {
   switch (error.error()) {
     case QSslError::CertificateExpired:
       if (error.certificate() == leaf) return faultOf(fault::CertificateExpired, {day(leaf.expiryDate())});
-      return faultOf(fault::AuthorityExpired, {day(error.certificate().expiryDate())});
+      return faultOf(faultText("net", "the certificate of its authority expired on %1"),
+                     {day(error.certificate().expiryDate())});
     case QSslError::CertificateNotYetValid:
       return faultOf(fault::CertificateNotYetValid, {day(leaf.effectiveDate())});
     case QSslError::HostNameMismatch: {
       const QString name = nameOf(leaf);
-      if (name.isEmpty()) return fault::CertificateWithoutName;
+      if (name.isEmpty()) return faultText("net", "it was issued without a name");
       return faultOf(fault::CertificateOfOtherName, {name});
     }
     case QSslError::CertificateRevoked:
@@ -70,7 +71,7 @@ Fault whyRejected(const QSslCertificate& leaf, const QSslError& error) {
     case QSslError::CertificateUntrusted: {
       if (leaf.isSelfSigned()) return fault::SelfSigned;
       const QString issuer = issuerOf(leaf);
-      if (issuer.isEmpty()) return fault::AuthorityUnnamed;
+      if (issuer.isEmpty()) return faultText("net", "it was issued by an unknown authority");
       return faultOf(fault::AuthorityUnknown, {issuer});
     }
     default:
@@ -143,13 +144,17 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
 tl::expected<QList<QSslCertificate>, Fault> readAuthorities(const QString& file) {
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
-    return tl::make_unexpected(
-        faultOf(fault::AuthoritiesNotRead, {plainText(file), plainText(source.errorString())}));
+    return tl::make_unexpected(faultOf(faultText("net", "The certificate file %1 cannot be read: %2."),
+                                       {plainText(file), plainText(source.errorString())}));
   }
   const QList<QSslCertificate> certificates = QSslCertificate::fromData(source.read(kLongestFile), QSsl::Pem);
   if (certificates.isEmpty() ||
       std::any_of(certificates.begin(), certificates.end(), [](const auto& one) { return one.isNull(); })) {
-    return tl::make_unexpected(faultOf(fault::NoAuthoritiesInFile, {plainText(file)}));
+    return tl::make_unexpected(faultOf(
+        faultText(
+            "net",
+            "The certificate file %1 contains no certificate in PEM form (-----BEGIN CERTIFICATE-----)."),
+        {plainText(file)}));
   }
   return certificates;
 }

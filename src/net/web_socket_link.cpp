@@ -47,7 +47,7 @@ bool isForeignAnswer(QAbstractSocket::SocketError error, const QString& error_te
 
 Fault whyNotConnected(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
   if (isForeignAnswer(error, error_text)) {
-    return faultOf(fault::NoWebSocketThere, {hostAndPort(url)});
+    return faultOf(faultText("net", "%1 does not answer as a WebSocket"), {hostAndPort(url)});
   }
   switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
@@ -55,13 +55,14 @@ Fault whyNotConnected(QAbstractSocket::SocketError error, const QString& error_t
     case QAbstractSocket::HostNotFoundError:
       return faultOf(fault::HostUnknown, {plainText(url.host())});
     case QAbstractSocket::RemoteHostClosedError:
-      return fault::ClosedBeforeOpen;
+      return faultText("net", "the robot closed the connection before it was established");
     case QAbstractSocket::SslHandshakeFailedError:
       return faultOf(fault::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)});
     case QAbstractSocket::SocketTimeoutError:
       return faultOf(fault::HostSilent, {hostAndPort(url)});
     case QAbstractSocket::UnknownSocketError:
-      return faultOf(fault::BrokeBeforeOpen, {hostAndPort(url)});
+      return faultOf(faultText("net", "the connection to %1 was lost before it was established"),
+                     {hostAndPort(url)});
     default:
       return faultOf(fault::HostNotReached, {hostAndPort(url), plainText(error_text)});
   }
@@ -109,7 +110,7 @@ void WebSocketLink::open() {
     return;
   }
   if (urls_.isEmpty()) {
-    reason_ = fault::NoAddressToConnectTo;
+    reason_ = faultText("net", "there is no address to connect to");
     enter(State::Closed);
     return;
   }

@@ -56,9 +56,11 @@ class Checking {
       const Feature& feature = features_[index_];
       if (!feature.root().isObject()) continue;
       const std::string id = feature.id(), name = feature.name();
-      if (!id.empty() && met_ids[id]++ > 0) add(Rule::DuplicateId, {fault::IdTwice, {id}});
+      if (!id.empty() && met_ids[id]++ > 0)
+        add(Rule::DuplicateId, {faultText("overlays", "Another feature has the same id, %1."), {id}});
       if (!name.empty() && met_names[{feature.shape(), name}]++ > 0)
-        add(Rule::DuplicateName, {fault::NameTwice, {name}});
+        add(Rule::DuplicateName,
+            {faultText("overlays", "Another feature of this kind has the same name, \"%1\"."), {name}});
       checkNumbers();
       checkOutlines();
       checkKind();
@@ -80,21 +82,26 @@ class Checking {
   }
 
   void checkNumbers() {
-    if (shapes().bad) add(Rule::BadNumber, {fault::CoordinateUnusable, {*shapes().bad}});
+    if (shapes().bad)
+      add(Rule::BadNumber, {faultText("overlays", "This is not a usable coordinate: %1"), {*shapes().bad}});
     const auto yaw = feature().property("yaw");
     const std::string written = textIn(feature(), "yaw");
     const bool empty =
         !yaw || yaw->kind() == JsonKind::Null || (yaw->kind() == JsonKind::String && written.empty());
     if (!empty && !yawOf(feature()))
-      add(Rule::BadNumber, {fault::YawUnusable, {written.empty() ? std::string(yaw->text()) : written}});
+      add(Rule::BadNumber, {faultText("overlays", "This is not a usable yaw: %1"),
+                            {written.empty() ? std::string(yaw->text()) : written}});
   }
 
   void checkOutlines() {
     for (const Path& path : shapes().paths) {
       const int different = differentPoints(path.points);
-      if (path.shape == Shape::Line && different < 2) return add(Rule::TooFewPoints, fault::LineTooShort);
+      if (path.shape == Shape::Line && different < 2)
+        return add(Rule::TooFewPoints, faultText("overlays", "A line needs at least two different points."));
       if (path.shape != Shape::Polygon) continue;
-      if (different < 3) return add(Rule::TooFewPoints, fault::OutlineTooShort);
+      if (different < 3)
+        return add(Rule::TooFewPoints,
+                   faultText("overlays", "An outline needs at least three different points."));
     }
     for (const Path& path : shapes().paths) {
       if (path.shape != Shape::Polygon) continue;
@@ -102,7 +109,7 @@ class Checking {
       const bool flat = flatness(path.points) <= kNoAreaM2;
       if (flat) return add(Rule::ZeroArea, fault::NoArea);
       if (const auto at = selfCrossing(path.points))
-        return add(Rule::SelfIntersection, fault::OutlineCrossesItself, at);
+        return add(Rule::SelfIntersection, faultText("overlays", "Its outline crosses itself."), at);
       if (std::abs(doubleArea(path.points)) / 2 <= kNoAreaM2) return add(Rule::ZeroArea, fault::NoArea);
     }
   }
@@ -125,15 +132,17 @@ class Checking {
     if (shape == Shape::Point && type == kCharger) {
       const std::string dock = textIn(feature(), "dockingPointId");
       if (dock.empty()) {
-        add(Rule::ChargerWithoutDock, fault::NoDock);
+        add(Rule::ChargerWithoutDock, faultText("overlays", "This charger names no docking point."));
       } else if (!isDock(dock)) {
-        add(Rule::ChargerWithoutDock, {fault::DockMissing, {dock}});
+        add(Rule::ChargerWithoutDock,
+            {faultText("overlays", "The docking point of this charger, %1, does not exist, or is none."),
+             {dock}});
       }
     }
     const bool door = (shape == Shape::Point && (type == kGate || type == kDoor)) ||
                       (shape == Shape::Polygon && (type == kGateRegion || type == kDoorRegion));
     if (door && textIn(feature(), "mac").find_first_not_of(" \t\r\n") == std::string::npos)
-      add(Rule::DoorWithoutMac, fault::NoMac);
+      add(Rule::DoorWithoutMac, faultText("overlays", "This door has no MAC address."));
   }
 
   bool isDock(const std::string& id) const {
@@ -146,7 +155,8 @@ class Checking {
     if (!known_) return;
     for (const Path& path : shapes().paths) {
       for (const Vector2d& point : path.points) {
-        if (isOutside(point)) return add(Rule::OutsideMap, fault::BeyondMap, point);
+        if (isOutside(point))
+          return add(Rule::OutsideMap, faultText("overlays", "It lies outside the map."), point);
       }
     }
     const bool charger = feature().shape() == Shape::Point && feature().type() == kCharger;
@@ -154,7 +164,7 @@ class Checking {
     for (const Path& path : shapes().paths) {
       for (const Vector2d& point : path.points) {
         if (ground_.at(point) == Cell::Occupied && !(charger && freeNear(point)))
-          return add(Rule::InWall, fault::InWall, point);
+          return add(Rule::InWall, faultText("overlays", "It lies in a wall."), point);
       }
     }
   }
@@ -186,7 +196,8 @@ class Checking {
       const bool known = std::any_of(flaws_.begin(), flaws_.end(), [index](const Flaw& flaw) {
         return flaw.feature == index && (flaw.rule == Rule::OutsideMap || flaw.rule == Rule::InWall);
       });
-      if (!known) add(Rule::Unreachable, fault::NotReached);
+      if (!known)
+        add(Rule::Unreachable, faultText("overlays", "The robot cannot get here from its charger."));
     }
   }
 

@@ -28,19 +28,25 @@ constexpr std::size_t kShapes = std::size_t(Shape::Other) + 1;
 
 /// Nothing is lost when it is pasted. `number` counts from 1.
 std::optional<Fault> whyNot(const JsonValue& written, const Feature& feature, std::int64_t number) {
-  if (!written.isObject()) return Fault(fault::PastedNoFeature, {number});
+  if (!written.isObject())
+    return Fault(faultText("overlays", "number %1 in the list is no feature"), {number});
   const auto geometry = written.member("geometry");
   // RFC 7946 has features without a place, or with empty coordinates; they are kept as they are.
   if (geometry ? geometry->kind() == JsonKind::Null : typeOf(written) == "Feature") return std::nullopt;
   if (!geometry || !geometry->isObject()) return Fault(fault::PastedWithoutPlace, {number});
   const std::string type = typeOf(*geometry);
-  if (!isGeometry(type)) return Fault(fault::PastedGeometryUnknown, {number, type});
+  if (!isGeometry(type))
+    return Fault(faultText("overlays", "the geometry of feature %1 is of an unknown type, \"%2\""),
+                 {number, type});
   const Shapes shapes = shapesOf(feature);
-  if (shapes.bad) return Fault(fault::PastedCoordinateUnusable, {number, *shapes.bad});
+  if (shapes.bad)
+    return Fault(faultText("overlays", "feature %1 has a coordinate that cannot be used: %2"),
+                 {number, *shapes.bad});
   if (!shapes.somewhere()) return std::nullopt;
   for (const Path& path : shapes.paths) {
     const std::size_t least = path.shape == Shape::Line ? 2 : path.shape == Shape::Polygon ? 3 : 1;
-    if (path.points.size() < least) return Fault(fault::PastedTooFewPoints, {number});
+    if (path.points.size() < least)
+      return Fault(faultText("overlays", "feature %1 has too few points"), {number});
   }
   return std::nullopt;
 }
@@ -75,7 +81,8 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
   }
   if (written.empty()) return tl::make_unexpected(Fault(fault::PastedNothing));
   if (written.size() > kMostPasted)
-    return tl::make_unexpected(Fault(fault::PastedTooMany, {std::int64_t(kMostPasted)}));
+    return tl::make_unexpected(
+        Fault(faultText("overlays", "it contains more than %1 features"), {std::int64_t(kMostPasted)}));
   std::vector<Feature> features;
   features.reserve(written.size());
   for (const JsonValue& value : written) {

@@ -73,17 +73,20 @@ Fault faultOf(const std::vector<Hole>& holes) {
         .toString(QLatin1String(format))
         .toStdString();
   };
-  Fault all = fault::BagPartsRefused;
+  Fault all = FaultCode{"replay", QT_TRANSLATE_NOOP("replay", "Not all of it can be read"),
+                        FaultCode::Causes::Continued};
   for (std::size_t i = 0; i < std::min(holes.size(), kMostNamed); ++i) {
     const Hole& hole = holes[i];
-    Fault part{fault::BagPartRefused,
-               {clock(hole.from_s, "yyyy-MM-dd HH:mm:ss.zzz"), clock(hole.until_s, "HH:mm:ss.zzz 'UTC'")}};
+    Fault part{
+        FaultCode{"replay", QT_TRANSLATE_NOOP("replay", "%1 to %2 is missing"), FaultCode::Causes::Continued},
+        {clock(hole.from_s, "yyyy-MM-dd HH:mm:ss.zzz"), clock(hole.until_s, "HH:mm:ss.zzz 'UTC'")}};
     // The robot's words are the same for all, mostly.
     if (i == 0 || !(hole.failure == holes[i - 1].failure)) part.because = whyOf(hole.failure);
     all.because.push_back(std::move(part));
   }
   if (holes.size() > kMostNamed)
-    all.because.push_back({fault::BagPartsMore, {std::int64_t(holes.size() - kMostNamed)}});
+    all.because.push_back(
+        {faultText("replay", "and more parts: %1"), {std::int64_t(holes.size() - kMostNamed)}});
   return all;
 }
 

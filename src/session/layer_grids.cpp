@@ -42,8 +42,10 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   tasks_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
     auto grid = std::make_shared<tl::expected<LayerGrid, Fault>>(LayerGrid{message.grid, {}});
     using Colors = tl::expected<grids::ColoredGrid, Fault>;
-    auto colors = message.png ? decoded(message, resources_)
-                              : Colors(tl::make_unexpected(Fault(fault::CameWithoutPicture)));
+    auto colors =
+        message.png
+            ? decoded(message, resources_)
+            : Colors(tl::make_unexpected(Fault(faultText("session", "It arrived without a picture."))));
     if (const auto why = map::whyUnusable(message.grid)) {
       *grid = tl::make_unexpected(*why);
     } else if (!colors) {

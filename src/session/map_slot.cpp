@@ -16,7 +16,9 @@ constexpr std::chrono::milliseconds kStillWithin{200};
 Fault ofPicture(const map::WholeMap& map, Fault why) {
   const std::string file = map.path.substr(map.path.rfind('/') + 1);
   if (map.key.kind != map::MapKind::File || file.empty() || file == map.name) return why;
-  return {fault::PictureOfIt, {file}, {std::move(why)}};
+  return {FaultCode{"session", QT_TRANSLATE_NOOP("session", "Picture %1"), FaultCode::Causes::Capital},
+          {file},
+          {std::move(why)}};
 }
 
 }  // namespace
@@ -118,13 +120,17 @@ std::shared_ptr<MapSlot::Opened> MapSlot::open(const map::WholeMap& map, const g
   map::GridReference& grid = opened->map.grid;
   const int width = opened->cells->width(), height = opened->cells->height();
   if ((grid.width > 0 && grid.width != width) || (grid.height > 0 && grid.height != height)) {
-    opened->notes.push_back({fault::SizesDiffer, {grid.width, grid.height, width, height}});
+    opened->notes.push_back({faultText("session",
+                                       "Its metadata says %1 x %2 cells, but its picture has %3 x %4. The "
+                                       "size of the picture is used."),
+                             {grid.width, grid.height, width, height}});
   }
   grid.width = width;
   grid.height = height;
   if (!std::isfinite(grid.origin.yaw_rad)) {
     grid.origin.yaw_rad = 0;
-    opened->notes.push_back(fault::TurnNoNumber);
+    opened->notes.push_back(
+        faultText("session", "The rotation of its origin is not a number. It is shown without rotation."));
   }
   return opened;
 }
@@ -214,7 +220,10 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
 
 void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
   if (damage == grids::GridDamage::Mended) {
-    Q_EMIT problemFound({map::Severity::Info, subject(), fault::CacheCopyDamaged, map::ProblemCode::Odd});
+    Q_EMIT problemFound(
+        {map::Severity::Info, subject(),
+         faultText("session", "The cached copy was damaged. The map was read again from its picture."),
+         map::ProblemCode::Odd});
     return;
   }
   if (generation != shown_generation_ || !shown_cells_) return;

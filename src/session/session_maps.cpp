@@ -225,7 +225,8 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     if (answer && !(answer->key == slot.key())) {
       slot.fail({map::Severity::Error,
                  map::subjectOf(slot.key()),
-                 {fault::AnotherMapCame, {map::toText(answer->key)}},
+                 {faultText("session", "The robot sent another map, %1. It is not shown."),
+                  {map::toText(answer->key)}},
                  map::ProblemCode::Unavailable,
                  map::FailureKind::MalformedAnswer});
     } else if (answer) {

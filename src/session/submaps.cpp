@@ -46,10 +46,14 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
     QMetaObject::invokeMethod(
         this,
         [this, why] {
-          Q_EMIT problemFound({map::Severity::Warning,
-                               map::SubjectKind::SubmapMemory,
-                               {fault::MemoryUsedUp, {why}},
-                               map::ProblemCode::Unavailable});
+          Q_EMIT problemFound(
+              {map::Severity::Warning,
+               map::SubjectKind::SubmapMemory,
+               {faultText("session",
+                          "It is used up, and no file can be written for the other submaps: %1. They "
+                          "stay in memory; free some disk space."),
+                {why}},
+               map::ProblemCode::Unavailable});
         },
         Qt::QueuedConnection);
   };
@@ -210,7 +214,7 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
       const bool missing = answer.outcome == Outcome::NotFound;
       const bool versioned = key.version != map::kNoVersion;
       Fault why = versioned ? Fault(fault::VersionNotHad, {std::int64_t(key.version)}, {answer.reason})
-                            : Fault(fault::NotHad, {}, {answer.reason});
+                            : Fault(faultText("session", "It cannot be loaded"), {}, {answer.reason});
       why.then = missing && versioned ? Consequence::AskedAgainAtTheNext : Consequence::AskedAgain;
       Q_EMIT problemFound({missing ? map::Severity::Warning : map::Severity::Error, map::subjectOf(key.id),
                            std::move(why), map::ProblemCode::Unavailable, answer.failure});
@@ -218,7 +222,8 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
     if (answer.outcome == Outcome::Ok) {
       failure_reasons_.erase(key.id);
       if (older) {
-        Fault why(fault::OlderVersionCame, {std::int64_t(key.version), std::int64_t(answer.version)});
+        Fault why(faultText("session", "Version %1 is listed, but the robot sent version %2. It is shown."),
+                  {std::int64_t(key.version), std::int64_t(answer.version)});
         if (!answer.from_cache) {
           failure_reasons_[key.id] = why;
           why.then = Consequence::AskedAgain;
@@ -375,7 +380,8 @@ Fault Submaps::reason(map::SubmapId id) const {
   if (row->pose_problem != FaultCode()) return {submap::fault::CannotBePlaced, {}, {row->pose_problem}};
   if (const auto it = failure_reasons_.find(id); it != failure_reasons_.end()) return it->second;
   if (auto corrupt = row->corruptSlices(); !corrupt.empty()) return {fault::Slices, {}, std::move(corrupt)};
-  return row->stale_texture ? fault::OlderVersionListed : FaultCode();
+  return row->stale_texture ? faultText("session", "The robot lists an older version than the one shown.")
+                            : FaultCode();
 }
 
 SubmapCounts Submaps::counts() const {
