@@ -51,7 +51,7 @@ CommandResult<ExportOrder> orderFrom(const BagsArguments& args, const QStringLis
   } else if (!formats.contains(order.format)) {
     return wrong(Text::tr("--format %1: must be one of %2.").arg(text(args.format), known));
   }
-  if (const auto why = whyNotCreated(order.path, args.force)) return wrong(*why);
+  if (const auto why = notCreatedReason(order.path, args.force)) return wrong(*why);
   return order;
 }
 
@@ -97,7 +97,7 @@ CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command,
   const auto sliced = excerpt::sliceRecording(path, excerptOf(args, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody cancels it
-  bags.noteNotFound(args.topics, order.span, done.messages, done.topics);
+  bags.reportNotFound(args.topics, order.span, done.messages, done.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
   for (const Fault& loss : done.losses)
@@ -137,7 +137,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   if (!order) return passOn(order);
   const auto recording = recordingOf(args);
   if (recording) {
-    if (const auto why = whyNotCreated(order->path, true, {*recording})) return wrong(*why);
+    if (const auto why = notCreatedReason(order->path, true, {*recording})) return wrong(*why);
   }
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
@@ -166,11 +166,11 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   const auto done = (*writing)->place();
   if (!done) return fileFailure(done.error());
   if (mcap || lines) {
-    bags.noteNotFound(args.topics, order->span, done->messages, done->topics);
+    bags.reportNotFound(args.topics, order->span, done->messages, done->topics);
   } else if (done->samples == 0 && order->span.limited()) {
     bags.robot().lack(Text::tr("No position of the robot was found."));
   }
-  bags.noteUnreadable(order->span.to_s.value_or(HUGE_VAL), excerpt::readsFrom(wanted));
+  bags.reportUnreadable(order->span.to_s.value_or(HUGE_VAL), excerpt::readsFrom(wanted));
   const Told told = toldOf(*done, wanted.kind);
   tell(args, *order, command, told.json, told.sentence);
   return kDone;
@@ -202,9 +202,10 @@ robot::BagInfo lastingFrom(const std::vector<std::string>& files) {
   return all;
 }
 
-std::optional<QString> whyNotInto(const QString& path, const std::vector<std::string>& sources, bool force) {
+std::optional<QString> notIntoReason(const QString& path, const std::vector<std::string>& sources,
+                                     bool force) {
   if (isStream(path)) return Text::tr("An MCAP file must be a regular file (-o FILE).");
-  return whyNotCreated(path, force, sources);
+  return notCreatedReason(path, force, sources);
 }
 
 /// Its end is missing, and maybe the data being written at that time.
@@ -245,7 +246,7 @@ CommandResult<int> bagsTrack(RobotCommand& command, const BagsArguments& args) {
 CommandResult<int> bagsRepair(RobotCommand&, const BagsArguments& args) {
   const auto path = recordingFrom(args);
   if (!path) return passOn(path);
-  if (const auto why = whyNotInto(text(args.output), {*path}, args.force)) return wrong(*why);
+  if (const auto why = notIntoReason(text(args.output), {*path}, args.force)) return wrong(*why);
   excerpt::Order order;
   order.path = args.output;
   order.repair = true;
@@ -295,7 +296,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
   QStringList files;
   for (std::size_t number = 0; number < parts.size(); ++number) {
     files << numbered(pattern, int(number));
-    if (const auto why = whyNotInto(files.back(), {*path}, args.force)) return wrong(*why);
+    if (const auto why = notIntoReason(files.back(), {*path}, args.force)) return wrong(*why);
   }
   excerpt::Written all;
   for (std::size_t number = 0; number < parts.size(); ++number) {
@@ -318,7 +319,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
 }
 
 CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
-  if (const auto why = whyNotInto(text(args.output), args.files, args.force)) return wrong(*why);
+  if (const auto why = notIntoReason(text(args.output), args.files, args.force)) return wrong(*why);
   const auto span = timeSpanFrom(args, lastingFrom(args.files));
   if (!span) return passOn(span);
   excerpt::Order order;

@@ -73,7 +73,7 @@ tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmArguments& args
     return tl::make_unexpected(
         Text::tr("Making a video needs ffmpeg, which is not installed. Pictures work without it: -o "
                  "frames/%05d.png."));
-  if (const auto why = whyNotWritable(output)) return tl::make_unexpected(*why);
+  if (const auto why = notWritableReason(output)) return tl::make_unexpected(*why);
   if (!place->folder.isValid())
     return tl::make_unexpected(Text::tr("There is not enough disk space for the frames of the video: %1")
                                    .arg(place->folder.errorString()));
@@ -259,7 +259,7 @@ void addBagPictures(Commands& commands, CLI::App& bags) {
           help(Text::tr("The pictures, numbered: frames/%05d.png; or a video: .mp4, .mkv or .webm")));
   many->remove_option(many->get_option("--report"));
   commands.add(many, [film](const Invocation& before) {
-    takeRecording(film->picture.robot, film->name, before.robot);
+    onRecording(film->picture.robot, film->name, before.robot);
     inherit(film->picture, before);
     return bagsFilm(*film, before.argc, before.argv);
   });

@@ -220,8 +220,8 @@ CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
   return moment;
 }
 
-void BagReading::noteNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
-                              std::size_t messages, const std::set<std::string>& found) {
+void BagReading::reportNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
+                                std::size_t messages, const std::set<std::string>& found) {
   for (const QString& sentence : notFound(topics, span, messages, found)) robot_->lack(sentence);
 }
 
@@ -236,7 +236,7 @@ QStringList notFound(const std::vector<std::string>& topics, const excerpt::Time
   return sentences;
 }
 
-void BagReading::noteUnreadable(double until_s, std::optional<double> from_s) {
+void BagReading::reportUnreadable(double until_s, std::optional<double> from_s) {
   if (const auto holes = reading_->chunks().holes(from_s.value_or(-HUGE_VAL), until_s); !holes.empty())
     robot_->lack(sentences::sentenceOf(replay::faultOf(holes)));
   std::int64_t odd = 0;

@@ -64,11 +64,11 @@ class BagReading {
   /// The exact state at `at_s`.
   CommandResult<replay::Moment> momentAt(double at_s);
   /// Notes what was asked for and is not there: notFound().
-  void noteNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
-                    std::size_t messages, const std::set<std::string>& found);
+  void reportNotFound(const std::vector<std::string>& topics, const excerpt::TimeSpan& span,
+                      std::size_t messages, const std::set<std::string>& found);
   /// Notes messages before `until_s` that could not be read or have no time stamp, and the parts of the bag
   /// from `from_s` to there that the robot refused.
-  void noteUnreadable(double until_s, std::optional<double> from_s = {});
+  void reportUnreadable(double until_s, std::optional<double> from_s = {});
 
  private:
   BagReading() = default;

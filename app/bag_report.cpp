@@ -59,7 +59,7 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
                             "a bag of the robot.")
                        .arg(words::plainName(other.bag)));
     std::string robot;
-    takeRecording(robot, other.bag, address.startsWith(kFileScheme) ? std::string() : args.robot);
+    onRecording(robot, other.bag, address.startsWith(kFileScheme) ? std::string() : args.robot);
     if (robot.empty())
       return wrong(Text::tr("--against %1: there is no such file.").arg(words::plainName(args.against)));
     sources << words::text(robot);
@@ -74,15 +74,15 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
   for (const QString& source : sources) {
     if (source.startsWith(kFileScheme)) files.push_back(source.mid(kFileScheme.size()).toStdString());
   }
-  if (const auto why = whyNotCreated(path, true, files)) return wrong(*why);
-  if (const auto why = whyNotTogether({path, args.json ? QStringLiteral("-") : QString()}))
+  if (const auto why = notCreatedReason(path, true, files)) return wrong(*why);
+  if (const auto why = notTogetherReason({path, args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
 
   reporting::ReportJob job(std::move(order), std::make_shared<work::Workers>());
   ProgressLine progress;
   QEventLoop loop;
   QObject::connect(&job, &reporting::ReportJob::progressed, &loop, [&](double share) {
-    command.noteConnected();
+    command.reportConnected();
     progress.tell(Text::tr("%1 % read").arg(int(share * 100)));
   });
   QObject::connect(&job, &reporting::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);

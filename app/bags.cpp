@@ -102,7 +102,7 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args
   if (path.isEmpty()) return wrong(Text::tr("Where should it be saved? Pass -o FILE."));
   if (isStream(path))
     return wrong(Text::tr("A download can be resumed, so it must go to a regular file (-o FILE)."));
-  if (const auto why = whyNotCreated(path, args.force)) return wrong(*why);
+  if (const auto why = notCreatedReason(path, args.force)) return wrong(*why);
   const robot::BagKey key = bags.keyOf(args.name);
   const auto line = std::make_shared<ProgressLine>();  // the robot may report progress after the end
   const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
@@ -206,8 +206,8 @@ CommandResult<int> bagsFrames(RobotCommand& command, const BagsArguments& args) 
       });
   if (!taken) return kUsage;
   if (!read) return passOn(read);
-  opened->noteNotFound(args.topics, *span, found.size(), found);
-  opened->noteUnreadable(span->to_s.value_or(HUGE_VAL), span->from_s);
+  opened->reportNotFound(args.topics, *span, found.size(), found);
+  opened->reportUnreadable(span->to_s.value_or(HUGE_VAL), span->from_s);
   return kDone;
 }
 
@@ -245,7 +245,7 @@ CommandResult<int> bagsState(RobotCommand& command, const BagsArguments& args) {
     if (no_map) rows.insert(rows.begin() + 1, {Text::tr("map"), *no_map});
     printTable(rows);
   }
-  opened->noteUnreadable(*at_s);
+  opened->reportUnreadable(*at_s);
   return kDone;
 }
 
@@ -279,7 +279,7 @@ CommandResult<int> bagsEvents(RobotCommand& command, const BagsArguments& args) 
   std::vector<replay::Event> events = replay::eventsOf(reading.index().digests());
   std::erase_if(events,
                 [&](const replay::Event& event) { return !groups->contains(replay::groupOf(event.kind)); });
-  opened->noteUnreadable(HUGE_VAL);
+  opened->reportUnreadable(HUGE_VAL);
   if (args.json) {
     printJson(eventsJson(events));
     return kDone;
@@ -398,7 +398,7 @@ void addBags(Commands& commands) {
     CLI::App* const command =
         addReading(commands, *bags, one.name, one.about, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), args,
                    one.run, [](BagsArguments& typed, const Invocation& before) {
-                     takeRecording(typed.robot, typed.name, before.robot);
+                     onRecording(typed.robot, typed.name, before.robot);
                    });
     addBagOptions(one.name, *command, *args);
   }

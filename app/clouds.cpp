@@ -43,7 +43,7 @@ CommandResult<CloudOrder> orderFrom(const CloudsArguments& args) {
       args.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
   if (args.ascii && *format != clouds::CloudFormat::PcdBinary)
     return wrong(Text::tr("--ascii applies only to PCD files."));
-  if (const auto why = whyNotCreated(order.path, args.force)) return wrong(*why);
+  if (const auto why = notCreatedReason(order.path, args.force)) return wrong(*why);
   return order;
 }
 

@@ -19,8 +19,8 @@ bool isPlainId(const std::string& id);
 CommandResult<map::MapKey> storedMap(RobotReading& robot, const std::string& id);
 
 struct MapBelow {
-  placing::PlacedMap map;  // without cells: it could not be loaded
-  QString why_not;         // a sentence
+  placing::PlacedMap map;      // without cells: it could not be loaded
+  QString unavailable_reason;  // a sentence
 };
 /// Opens a map, waiting at most some seconds. Do not use the robot for anything else afterwards.
 MapBelow mapBelow(RobotReading& reading, const map::MapKey& key);

@@ -30,7 +30,7 @@ void inherit(RobotArguments& args, const Invocation& before) {
 namespace {
 
 /// A sentence if --report is a file that the command was given to read.
-std::optional<QString> whyNoReportThere(const CLI::App& command) {
+std::optional<QString> noReportThereReason(const CLI::App& command) {
   const CLI::Option* const report = command.get_option_no_throw("--report");
   if (!report || report->empty()) return std::nullopt;
   std::vector<std::string> words;
@@ -46,7 +46,7 @@ std::optional<QString> whyNoReportThere(const CLI::App& command) {
 std::optional<int> Commands::run(const Invocation& before) const {
   for (const auto& [command, run] : runs_) {
     if (!command->parsed()) continue;
-    if (const auto why = whyNoReportThere(*command)) return refuse(kUsage, *why);
+    if (const auto why = noReportThereReason(*command)) return refuse(kUsage, *why);
     return run(before);
   }
   return std::nullopt;
@@ -89,7 +89,7 @@ void addJson(CLI::App& command, bool& json) {
   command.add_flag("--json", json, help(Text::tr("Print JSON")));
 }
 
-std::optional<QString> whyNoTimeout(double timeout_s) {
+std::optional<QString> noTimeoutReason(double timeout_s) {
   if (timeout_s > 0 && timeout_s <= 86'400) return std::nullopt;
   return Text::tr("--timeout must be greater than 0 and at most 86400 seconds.");
 }

@@ -89,13 +89,13 @@ void addTimeout(CLI::App& command, double& timeout_s, const QString& about = {})
 /// --report
 void addReport(CLI::App& command, std::string& path);
 /// --force, of what people edit or cannot make again; pictures and reports are replaced without it
-/// (whyNotCreated()).
+/// (notCreatedReason()).
 void addForce(CLI::App& command, bool& force);
 /// --json
 void addJson(CLI::App& command, bool& json);
 
 /// A sentence if --timeout is out of range.
-std::optional<QString> whyNoTimeout(double timeout_s);
+std::optional<QString> noTimeoutReason(double timeout_s);
 /// "12", "-0.5", "1e-3".
 bool isDecimal(const std::string& word);
 /// "1,-0.5, 2": decimal numbers separated by commas, absolute values up to 1e9; nullopt = anything else.

@@ -39,22 +39,22 @@ QJsonObject comparisonJson(const compare::Comparison& made,
   return json;
 }
 
-std::optional<QString> whyNotCompared(const CompareArguments& args) {
+std::optional<QString> notComparedReason(const CompareArguments& args) {
   if (args.allowed.tolerance < 0 || args.allowed.tolerance > 255)
     return Text::tr("--tolerance must be a number from 0 to 255.");
   if (!(args.allowed.max_differing_percent >= 0 && args.allowed.max_differing_percent <= 100))
     return Text::tr("--max-differing must be a percentage from 0 to 100.");
   if (args.diff.empty()) return std::nullopt;
-  if (const auto why = whyNotWritable(text(args.diff))) return why;
+  if (const auto why = notWritableReason(text(args.diff))) return why;
   for (const std::string& read : {args.expected, args.actual, args.allowed.mask}) {
-    if (const auto why = whyNotTogether({text(args.diff), text(read)})) return why;
+    if (const auto why = notTogetherReason({text(args.diff), text(read)})) return why;
   }
-  return whyNotTogether({text(args.diff), args.json ? QStringLiteral("-") : QString()});
+  return notTogetherReason({text(args.diff), args.json ? QStringLiteral("-") : QString()});
 }
 
 int comparePictureFiles(const CompareArguments& args, const Invocation& before) {
   const QCoreApplication application(before.argc, before.argv);
-  if (const auto why = whyNotCompared(args)) return refuse(kUsage, *why);
+  if (const auto why = notComparedReason(args)) return refuse(kUsage, *why);
   const auto made = compare::comparePictures(args.expected, args.actual, args.allowed);
   if (!made) return refuse(kUsage, sentences::sentenceOf(made.error()));
   std::optional<geometry::ViewTransform> view;

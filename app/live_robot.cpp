@@ -94,7 +94,7 @@ std::optional<CommandFailure> LiveRobot::connectToRobot() {
   if (!settled()) loop_.exec();
   if (phase() == robot::ConnectionPhase::Online || (!settled() && !too_late)) return std::nullopt;
   const robot::ConnectionState state = robot_->connection();
-  if (state.reason.any()) return CommandFailure{kUnreachable, whyNotConnected(state)};
+  if (state.reason.any()) return CommandFailure{kUnreachable, notConnectedReason(state)};
   return CommandFailure{kUnreachable, Text::tr("%1: no connection within %2 s (--timeout).")
                                           .arg(oneLine(robot_->address()), QString::number(timeout_s_))};
 }

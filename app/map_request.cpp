@@ -114,11 +114,11 @@ void MapRequest::askForWhole() {
   }
   session_.robot().mapDispatch()->grid(
       std::nullopt, [this, here = std::weak_ptr(present_)](const robot::Outcome<map::GridPart>& outcome) {
-        if (!here.expired()) takeWhole(outcome);
+        if (!here.expired()) onWhole(outcome);
       });
 }
 
-void MapRequest::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
+void MapRequest::onWhole(const robot::Outcome<map::GridPart>& outcome) {
   if (!outcome) {
     fail(exitCodeOf(outcome.error().kind), QString::fromStdString(sentences::sentenceOf(outcome.error())));
     return;
@@ -223,8 +223,9 @@ void MapRequest::chooseInsteadOfLive() {
 bool MapRequest::catalogueIn() {
   session::Catalogue& catalogue = session_.catalogue();
   if (!catalogue.offered()) {
-    fail(kRobotError, sentences::whyAbsent(robot::Capability::Catalogue,
-                                           session_.robot().whyNot(robot::Capability::Catalogue)));
+    fail(kRobotError,
+         sentences::absenceReason(robot::Capability::Catalogue,
+                                  session_.robot().unavailableReason(robot::Capability::Catalogue)));
     return false;
   }
   if (!catalogue.asked()) catalogue.refresh();

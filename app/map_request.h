@@ -63,7 +63,7 @@ class MapRequest {
   void open(const map::MapKey& key);
   /// From a dispatcher; fails unless agreeToWhole() was called.
   void askForWhole();
-  void takeWhole(const robot::Outcome<map::GridPart>& outcome);
+  void onWhole(const robot::Outcome<map::GridPart>& outcome);
   /// Requests the catalogue; false while it has not arrived, or cannot be loaded.
   bool catalogueIn();
   void fail(int exit_code, const QString& sentence);

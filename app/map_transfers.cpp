@@ -48,8 +48,8 @@ CommandResult<int> mapsDownload(RobotCommand& command, const TransferArguments& 
   if (key.kind != map::MapKind::Stored || !isPlainId(key.id))
     return wrong(Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(args.id)));
   const QString folder = text(args.folder);
-  if (const QString why = jobs::whyNoMapFolder(folder, args.force); !why.isEmpty()) {
-    const bool forced = !args.force && jobs::whyNoMapFolder(folder, true).isEmpty();
+  if (const QString why = jobs::noMapFolderReason(folder, args.force); !why.isEmpty()) {
+    const bool forced = !args.force && jobs::noMapFolderReason(folder, true).isEmpty();
     return wrong(forced ? QStringLiteral("%1 %2").arg(why, Text::tr("--force replaces it.")) : why);
   }
   const auto opened = command.open();
@@ -133,7 +133,7 @@ CommandResult<int> mapsUpload(RobotCommand& command, const TransferArguments& ar
   auto map = jobs::readMapFolder(text(args.folder), args.as_new);
   if (!map) return wrong(map.error());
   if (!args.name.empty()) {
-    if (const QString why = jobs::whyNoMapName(text(args.name)); !why.isEmpty()) return wrong(why);
+    if (const QString why = jobs::noMapNameReason(text(args.name)); !why.isEmpty()) return wrong(why);
     map->name = args.name;
   }
   return addMap(command, args, *map);

@@ -170,7 +170,7 @@ bool standsAlone(const QString& operand, const QString& robot) {
 }
 
 /// Why --resolution and --origin would have no effect on what the command reads.
-std::optional<QString> whyNoPlaceIn(const MapsArguments& args) {
+std::optional<QString> noPlaceInReason(const MapsArguments& args) {
   if (args.resolution.empty() && args.origin.empty()) return std::nullopt;
   const bool diff = !args.first.empty();
   const std::vector<std::string> operands =
@@ -179,7 +179,7 @@ std::optional<QString> whyNoPlaceIn(const MapsArguments& args) {
   for (const std::string& operand : operands) {
     if (operand == "submaps" && args.origin.empty()) return std::nullopt;
     const bool other = diff && standsAlone(text(operand), text(args.robot));
-    why = whyNoPlace(text(other ? operand : args.robot), args.resolution, args.origin);
+    why = noPlaceReason(text(other ? operand : args.robot), args.resolution, args.origin);
     if (!why) return std::nullopt;
   }
   return why;
@@ -188,7 +188,7 @@ std::optional<QString> whyNoPlaceIn(const MapsArguments& args) {
 CommandResult<RobotReading*> openRobot(RobotCommand& command, const MapsArguments& args,
                                        const QString& address,
                                        RobotReading::Purpose purpose = RobotReading::Purpose::Maps) {
-  if (const auto why = whyNoPlaceIn(args)) return wrong(*why);
+  if (const auto why = noPlaceInReason(args)) return wrong(*why);
   if (!args.resolution.empty() && !(resolutionOf(args) > 0))
     return wrong(
         Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(args.resolution)));
@@ -319,9 +319,9 @@ CommandResult<int> mapsShow(RobotCommand& command, const MapsArguments& args) {
 }
 
 /// Why it is not written without --allow-missing.
-std::optional<QString> whyMissing(const MapsArguments& args, const render::PlacedGrid& map) {
+std::optional<QString> missingReason(const MapsArguments& args, const render::PlacedGrid& map) {
   if (args.allow_missing) return std::nullopt;
-  const QString why = jobs::whyMostlyMissing(*map.cells);
+  const QString why = jobs::mostlyMissingReason(*map.cells);
   if (why.isEmpty()) return std::nullopt;
   return QStringLiteral("%1 %2").arg(why, Text::tr("Pass --allow-missing to write them all the same."));
 }
@@ -380,9 +380,9 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   if (!form) return wrong(form.error());
   const auto files = png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer;
   for (const QString& file : jobs::exportedFiles(output, files, args.world_file, form->mode)) {
-    if (const auto why = whyNotCreated(file, args.force)) return wrong(*why);
+    if (const auto why = notCreatedReason(file, args.force)) return wrong(*why);
   }
-  if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report)})) return wrong(*why);
   std::optional<map::GridRegion> region;
   const bool live = args.id.empty() || args.id == "live";
   if (!args.region.empty()) {
@@ -400,7 +400,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   if (!placed) return passOn(placed);
   const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference}, files, output,
                                     args.world_file, *form};
-  if (const auto missing = whyMissing(args, *placed)) return wrong(*missing);
+  if (const auto missing = missingReason(args, *placed)) return wrong(*missing);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
   if (!written.remark.isEmpty()) (*robot)->note(written.remark);
@@ -415,9 +415,11 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
 
 CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   const QString printed = args.json ? QStringLiteral("-") : QString();
-  auto why_not = args.diff_picture.empty() ? std::nullopt : whyNotWritable(text(args.diff_picture));
-  if (!why_not) why_not = whyNotTogether({text(args.diff_picture), text(args.report), printed});
-  if (why_not) return wrong(*why_not);
+  auto unavailable_reason =
+      args.diff_picture.empty() ? std::nullopt : notWritableReason(text(args.diff_picture));
+  if (!unavailable_reason)
+    unavailable_reason = notTogetherReason({text(args.diff_picture), text(args.report), printed});
+  if (unavailable_reason) return wrong(*unavailable_reason);
   // Before the first one is read, which may take long.
   for (const QString& operand : {text(args.first), text(args.second)}) {
     const auto parsed = knownAddresses().parse(operand);
@@ -441,7 +443,8 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
     return wrong(*why);
   }
   for (const render::PlacedGrid& map : maps) {
-    if (const auto missing = picture.isEmpty() ? std::nullopt : whyMissing(args, map)) return wrong(*missing);
+    if (const auto missing = picture.isEmpty() ? std::nullopt : missingReason(args, map))
+      return wrong(*missing);
   }
   const auto diff = diffMaps(maps[0], maps[1], picture);
   if (!diff) return wrong(diff.error());
@@ -489,14 +492,14 @@ bool isOfOneMap(MapChange change) { return !robot::isOfMapping(change); }
 bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
 
 /// Why it is not even requested; empty if it is.
-QString whyNotAsked(MapChange change, const MapsArguments& args) {
+QString notAskedReason(MapChange change, const MapsArguments& args) {
   if (names(change)) {
     const QString label = text(args.label);
     if (label.trimmed().isEmpty()) {
       return change == MapChange::Save ? Text::tr("Name the map: maps save NAME.")
                                        : Text::tr("Name the map: maps rename ID NAME.");
     }
-    if (const QString why = jobs::whyNoMapName(label); !why.isEmpty()) return why;
+    if (const QString why = jobs::noMapNameReason(label); !why.isEmpty()) return why;
   }
   const map::MapKey key = map::mapKeyFromText(args.id);
   if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || !isPlainId(key.id)))
@@ -509,7 +512,7 @@ QString whyNotAsked(MapChange change, const MapsArguments& args) {
 CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, MapChange change) {
   if (change == MapChange::StartMapping && args.continues) change = MapChange::ContinueMapping;
   if (change == MapChange::StopMapping && args.cancels) change = MapChange::CancelMapping;
-  if (const QString why = whyNotAsked(change, args); !why.isEmpty()) return wrong(why);
+  if (const QString why = notAskedReason(change, args); !why.isEmpty()) return wrong(why);
   const auto robot = command.open();
   if (!robot) return passOn(robot);
   (*robot)->await(robot::Capability::Administration);
@@ -539,7 +542,7 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
 }
 
 CommandResult<int> mapsSaveOnRobot(RobotCommand& command, const MapsArguments& args) {
-  if (const QString why = jobs::whyNoFilename(text(args.filename)); !why.isEmpty()) return wrong(why);
+  if (const QString why = jobs::noFilenameReason(text(args.filename)); !why.isEmpty()) return wrong(why);
   const auto robot = command.open();
   if (!robot) return passOn(robot);
   robot::MapDispatch* const dispatch = (*robot)->session().robot().mapDispatch();

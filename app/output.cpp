@@ -57,7 +57,7 @@ bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.
 
 bool isStream(const QString& path) { return isStandardOutput(path) || takesBytes(path); }
 
-std::optional<QString> whyNotWritable(const QString& path) {
+std::optional<QString> notWritableReason(const QString& path) {
   if (isStandardOutput(path)) {
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
     return Text::tr("%1: the standard output is a terminal. Redirect it to a file or another program.")
@@ -71,7 +71,7 @@ std::optional<QString> whyNotWritable(const QString& path) {
       .arg(path, folder.filePath());
 }
 
-std::optional<QString> whyNotTogether(const QStringList& outputs) {
+std::optional<QString> notTogetherReason(const QStringList& outputs) {
   for (qsizetype i = 0; i < outputs.size(); ++i) {
     for (qsizetype j = i + 1; j < outputs.size(); ++j) {
       const QString &one = outputs[i], &other = outputs[j];
@@ -99,9 +99,9 @@ std::optional<QString> reportOverSource(const QString& report, const std::vector
   return Text::tr("%1 is a file that this command reads. Choose another one for --report.").arg(report);
 }
 
-std::optional<QString> whyNotCreated(const QString& path, bool force,
-                                     const std::vector<std::string>& sources) {
-  if (auto why = whyNotWritable(path)) return why;
+std::optional<QString> notCreatedReason(const QString& path, bool force,
+                                        const std::vector<std::string>& sources) {
+  if (auto why = notWritableReason(path)) return why;
   if (!jobs::firstOwnSource({path}, sources).isEmpty())
     return Text::tr("%1 is the recording itself. Choose another name.").arg(path);
   if (QFileInfo::exists(path) && !isStream(path) && !force)

@@ -55,9 +55,9 @@ bool isStandardOutput(const QString& path);
 /// That, a pipe or a device: data is written to it, nothing is replaced.
 bool isStream(const QString& path);
 /// A sentence if it is clear beforehand that nothing can be written there.
-std::optional<QString> whyNotWritable(const QString& path);
+std::optional<QString> notWritableReason(const QString& path);
 /// A sentence if two of them are the same file. Devices may be used twice; empty paths are ignored.
-std::optional<QString> whyNotTogether(const QStringList& outputs);
+std::optional<QString> notTogetherReason(const QStringList& outputs);
 /// A sentence if one of `outputs` is a file that was read, through any path or link.
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources);
 /// A sentence if --report is one of `sources`, which the command reads.
@@ -65,7 +65,7 @@ std::optional<QString> reportOverSource(const QString& report, const std::vector
 /// Why a file that people edit or cannot make again (all but pictures and reports) cannot be written: one of
 /// the sentences above, there is one already and no `force`, or it is one of the recordings `sources` that
 /// are read meanwhile, `force` or not. A stream is written into.
-std::optional<QString> whyNotCreated(const QString& path, bool force,
-                                     const std::vector<std::string>& sources = {});
+std::optional<QString> notCreatedReason(const QString& path, bool force,
+                                        const std::vector<std::string>& sources = {});
 
 }  // namespace mapwright::app

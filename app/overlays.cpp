@@ -123,8 +123,8 @@ robot::Outcome<robot::OverlayText> heldBy(const OverlaysOf& of) {
 CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& args) {
   const QString output = text(args.output);
   const bool printed = isStandardOutput(output);
-  if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
-  if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
+  if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report)})) return wrong(*why);
   const auto of = openOverlays(command, args);
   if (!of) return passOn(of);
   const auto held = heldBy(*of);
@@ -237,10 +237,10 @@ CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args
     return wrong(Text::tr("Only one of the files can be the standard input."));
   const QString output = text(args.output);
   if (!output.isEmpty()) {
-    if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
+    if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
   }
   if (const auto why =
-          whyNotTogether({output, text(args.report), args.json ? QStringLiteral("-") : QString()}))
+          notTogetherReason({output, text(args.report), args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
   jobs::OverlayOrder order;
   if (!args.base.empty()) {
@@ -289,8 +289,8 @@ CommandResult<bool> lookBelow(RobotReading& reading, const map::MapKey& key, std
   MapBelow below = mapBelow(reading, key);
   options.map = std::move(below.map);
   if (options.map.cells) return true;
-  reading.note(reading.about(
-      Text::tr("The map cannot be loaded, so what lies on it was not checked. %1").arg(below.why_not)));
+  reading.note(reading.about(Text::tr("The map cannot be loaded, so what lies on it was not checked. %1")
+                                 .arg(below.unavailable_reason)));
   return false;
 }
 
@@ -301,7 +301,7 @@ CommandResult<int> overlaysValidate(RobotCommand& command, const OverlaysArgumen
   options.off = *off;
   const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
-  if (const auto why = whyNotTogether({text(args.report), args.json ? QStringLiteral("-") : QString()}))
+  if (const auto why = notTogetherReason({text(args.report), args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
   OverlayDocument document;
   if (!args.file.empty()) {
@@ -355,7 +355,7 @@ CommandResult<int> historyList(const OverlaysArguments& args) {
 CommandResult<int> historyShow(const OverlaysArguments& args) {
   const QString output = text(args.output);
   if (!output.isEmpty()) {
-    if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
+    if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
   }
   const auto version = keptVersion(args.number);
   if (!version) return wrong(version.error());

@@ -36,7 +36,7 @@ CommandResult<int> mapsSetPose(RobotCommand& command, const PoseArguments& args)
   const robot::PoseOrder order{
       {(*numbers)[0], (*numbers)[1], geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]))},
       args.adjust};
-  if (const QString why = jobs::whyNoPose(order.pose); !why.isEmpty()) return wrong(why);
+  if (const QString why = jobs::noPoseReason(order.pose); !why.isEmpty()) return wrong(why);
   const auto opened = command.open();
   if (!opened) return passOn(opened);
   RobotReading& reading = **opened;

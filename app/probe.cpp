@@ -78,11 +78,11 @@ QString commonReason(const jobs::RobotSearch& search) {
 }
 
 CommandResult<int> probe(const ProbeArguments& args) {
-  if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
+  if (const auto why = noTimeoutReason(args.timeout_s)) return wrong(*why);
   const robot::Addresses addresses = knownAddresses();
   const QString typed = words::text(args.host);
   const auto host = addresses.bareHost(typed);
-  if (const auto why = host ? std::nullopt : robot::whyNoPort(typed)) return wrong(words::plainName(*why));
+  if (const auto why = host ? std::nullopt : robot::noPortReason(typed)) return wrong(words::plainName(*why));
   if (!host)
     return wrong(Text::tr("%1 is not a host. Give its name or address, with or without a port, for example "
                           "192.168.25.25 or dock-3.local:8090.")

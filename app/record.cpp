@@ -124,11 +124,11 @@ CommandResult<RecordOrder> orderFrom(const RecordArguments& args) {
   }
   if (args.duration_s && !(*args.duration_s > 0 && *args.duration_s <= 1e8))
     return wrong(Text::tr("--duration must be greater than 0 seconds and at most 100000000."));
-  if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
+  if (const auto why = noTimeoutReason(args.timeout_s)) return wrong(*why);
   if (isStream(order.path))
     return wrong(Text::tr(
         "A recording must go to a regular file (-o FILE), because its index is written at the end."));
-  if (const auto why = whyNotCreated(order.path, args.force)) return wrong(*why);
+  if (const auto why = notCreatedReason(order.path, args.force)) return wrong(*why);
   return order;
 }
 
@@ -164,7 +164,7 @@ class RecordRun {
  private:
   /// Runs until it should end.
   void follow() {
-    QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { tellProgress(); });
+    QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { reportProgress(); });
     QObject::connect(recorder_.get(), &Recorder::notHad, &context_, [this](const map::Failure& failure) {
       ++not_had_;
       say(Text::tr("%1: %2").arg(sentences::nameOf(failure.subject), text(sentences::sentenceOf(failure))));
@@ -184,13 +184,13 @@ class RecordRun {
         say(Text::tr("Reconnected after %1 s.").arg(QString::number(recorder_->progress().seconds, 'f', 1)));
       }
       if (link.phase != robot::ConnectionPhase::Refused) return;
-      refused_ = whyNotConnected(robot_.connection());
+      refused_ = notConnectedReason(robot_.connection());
       live_.quit();
     });
     live_.follow(args_.duration_s);
   }
 
-  void tellProgress() {
+  void reportProgress() {
     const Recorder::Progress now = recorder_->progress();
     if (now.written.fault && now.written.fault != told_) {
       progress_.clear();

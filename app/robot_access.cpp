@@ -86,7 +86,7 @@ Access RobotAccess::forAddress(const QString& address) const {
   return access;
 }
 
-QString whyNotConnected(const robot::ConnectionState& state) {
+QString notConnectedReason(const robot::ConnectionState& state) {
   const QString reason = sentences::wordsOf(state.reason);
   if (!state.certificate) return reason;
   return reason + Text::tr(". If it is signed by your own authority, pass --ca-file PEM.");

@@ -52,6 +52,6 @@ class RobotAccess {
 };
 
 /// Why there is no connection, with the options that may help.
-QString whyNotConnected(const robot::ConnectionState& state);
+QString notConnectedReason(const robot::ConnectionState& state);
 
 }  // namespace mapwright::app

@@ -130,23 +130,25 @@ map::Failure RobotReading::tooLate(map::Failure failure) const {
   return failure;
 }
 
-void RobotReading::noteUnconfirmed(robot::Capability capability) {
+void RobotReading::warnOfUnconfirmed(robot::Capability capability) {
   unconfirmed_ = sentences::unconfirmedOf(session_.robot(), capability);
   if (!unconfirmed_.isEmpty()) note(about(unconfirmed_));
 }
 
 void RobotReading::await(robot::Capability capability) {
-  waitUntil([&] { return session_.robot().whyNot(capability).reason != robot::Absence::Reason::NotToldYet; });
+  waitUntil([&] {
+    return session_.robot().unavailableReason(capability).reason != robot::Absence::Reason::NotToldYet;
+  });
 }
 
 tl::unexpected<CommandFailure> RobotReading::lacks(robot::Capability capability) const {
-  const robot::Absence absence = session_.robot().whyNot(capability);
+  const robot::Absence absence = session_.robot().unavailableReason(capability);
   if (absence.reason == robot::Absence::Reason::NotToldYet)
     return failure(exitCodeOf(map::FailureKind::TimedOut),
                    Text::tr("The robot has not answered within %1 s whether it can be edited. Nothing was "
                             "changed: try again, or wait longer (--timeout).")
                        .arg(time_.timeout_s));
-  return failure(local() ? kUsage : kRobotError, sentences::whyAbsent(capability, absence));
+  return failure(local() ? kUsage : kRobotError, sentences::absenceReason(capability, absence));
 }
 
 CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& address, const Access& access,
@@ -176,7 +178,7 @@ CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& a
   });
   if (phase() != robot::ConnectionPhase::Online) {
     const bool file = reading->local() && phase() == robot::ConnectionPhase::Refused;
-    const QString reason = whyNotConnected(session.connection());
+    const QString reason = notConnectedReason(session.connection());
     return reading->failure(
         file ? kUsage : exitCodeOf(session.connection().failure, kUnreachable),
         reason.isEmpty() ? Text::tr("no connection within %1 s.").arg(time.timeout_s) : reason);
@@ -190,9 +192,9 @@ CommandResult<map::CatalogueEntry> RobotReading::change(const robot::MapOrder& o
   if (!maps) return lacks(robot::Capability::Administration);
   const auto obstacle = maps->obstacle(order.change, nullptr);
   if (obstacle == robot::Obstacle::NotOffered || obstacle == robot::Obstacle::EndsBySaving) {
-    return failure(local() ? kUsage : kRobotError, sentences::whyNotNow(order.change, *obstacle));
+    return failure(local() ? kUsage : kRobotError, sentences::notNowReason(order.change, *obstacle));
   }
-  noteUnconfirmed(robot::Capability::Administration);
+  warnOfUnconfirmed(robot::Capability::Administration);
   auto outcome = ask<map::CatalogueEntry>(
       [&](robot::OutcomeTo<map::CatalogueEntry> reply) { return maps->carryOut(order, std::move(reply)); });
   if (outcome) return std::move(*outcome);
@@ -389,7 +391,7 @@ CommandResult<RobotReading*> RobotCommand::open(RobotReading::Purpose purpose, c
   if (!access) return wrong(access.error());
   auto reading = RobotReading::open(address, access->forAddress(address), time_, purpose, workers_);
   if (!reading) return passOn(reading);
-  noteConnected();
+  reportConnected();
   readings_.push_back(std::move(*reading));
   return readings_.back().get();
 }
@@ -402,7 +404,7 @@ bool RobotCommand::complete() const {
 }
 
 int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work) {
-  if (const auto why = whyNoTimeout(time_.timeout_s)) return refuse(kUsage, *why);
+  if (const auto why = noTimeoutReason(time_.timeout_s)) return refuse(kUsage, *why);
   const QString robot = words::text(args_.robot);
   if (const auto why = reportOverSource(report_path_, sourceFilesOf(robot, {}, {})))
     return refuse(kUsage, *why);

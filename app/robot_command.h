@@ -78,7 +78,7 @@ class RobotReading {
   void note(const QString& sentence) { notes_ << sentence; }
   /// The remark that changing this is not confirmed by the robot's maker, where that is so. It stands behind
   /// a failure, too.
-  void noteUnconfirmed(robot::Capability capability);
+  void warnOfUnconfirmed(robot::Capability capability);
   const QString& unconfirmed() const { return unconfirmed_; }
   /// The same as note() for something that was requested but could not be loaded; the result is incomplete
   /// then.
@@ -151,7 +151,7 @@ class RobotCommand {
   bool complete() const;
 
   /// Of work that connects by itself: from now on a lack of time is no lack of a connection.
-  void noteConnected() { connected_->store(true); }
+  void reportConnected() { connected_->store(true); }
 
   /// Sets up an application without a display, runs `work`, prints the final messages and returns the exit
   /// code. The process ends in time whatever `work` does.

@@ -208,7 +208,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString
   return std::make_unique<DemoRobot>(address, std::move(link), std::move(simulator));
 }
 
-void takeRecording(std::string& robot, std::string& bag, const std::string& otherwise) {
+void onRecording(std::string& robot, std::string& bag, const std::string& otherwise) {
   if (!robot.empty()) return;
   const QString typed = QString::fromStdString(bag);
   // A robot's own bags may be called .bag as well.
@@ -255,8 +255,8 @@ std::vector<robot::Probe> probesOf(const robot::Host& host) {
   return all;
 }
 
-std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,
-                                  const std::string& origin) {
+std::optional<QString> noPlaceReason(const QString& address, const std::string& resolution,
+                                     const std::string& origin) {
   if (resolution.empty() && origin.empty()) return std::nullopt;
   const auto parsed = knownAddresses().parse(address);
   if (!parsed) return std::nullopt;  // reported elsewhere

@@ -38,11 +38,11 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
 std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
                                        const std::string& picture);
 
-/// whyNoPlace says why --resolution and --origin do not apply to this address; nullopt if they do, or are not
-/// given. placedFile adds the resolution (metres per cell) and origin ("x,y" or "x,y,yaw") to the address of
-/// a plain picture; makeRobot() checks them later. Other addresses and empty values change nothing.
-std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,
-                                  const std::string& origin);
+/// noPlaceReason says why --resolution and --origin do not apply to this address; nullopt if they do, or are
+/// not given. placedFile adds the resolution (metres per cell) and origin ("x,y" or "x,y,yaw") to the address
+/// of a plain picture; makeRobot() checks them later. Other addresses and empty values change nothing.
+std::optional<QString> noPlaceReason(const QString& address, const std::string& resolution,
+                                     const std::string& origin);
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin);
 
 /// What every session is made with: submaps are requested ahead, pyramids of large maps are cached
@@ -62,7 +62,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString
 /// file; with only a default robot, whose bags may have the same name, only if it is written as a path or
 /// ends in .mcap. Then `robot` becomes the address of the file and `bag` its name there; otherwise an empty
 /// `robot` becomes `otherwise`.
-void takeRecording(std::string& robot, std::string& bag, const std::string& otherwise);
+void onRecording(std::string& robot, std::string& bag, const std::string& otherwise);
 
 /// True if it is an existing file, or written like a path or a recording's name.
 bool isFileName(const QString& typed);

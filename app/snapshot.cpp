@@ -56,7 +56,7 @@ std::optional<QSize> parseSize(const QString& word) {
 }
 
 /// Options that cannot be combined with --region.
-std::optional<QString> whyNotWithRegion(const SnapshotArguments& args, const SnapshotOptions& options) {
+std::optional<QString> notWithRegionReason(const SnapshotArguments& args, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
     return Text::tr("--region needs a robot that sends its map by region, and --mode grid.");
   if (!args.map.empty())
@@ -74,7 +74,7 @@ std::optional<QString> whyNotWithRegion(const SnapshotArguments& args, const Sna
 }
 
 /// For "path=/my_plan" takes the topic; the name stays.
-tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics) {
+tl::expected<void, QString> onTopic(QString& word, robot::TopicChoices& topics) {
   const auto split = word.indexOf(QLatin1Char('='));
   if (split < 0) return {};
   const QString topic = word.mid(split + 1).trimmed(), name = word.left(split).trimmed();
@@ -116,7 +116,7 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, r
   QStringList known;
   for (const Layer layer : every) known << scene::layerName(layer);
   for (QString word : args.split(QLatin1Char(','))) {
-    if (const auto taken = takeTopic(word, topics); !taken) return passOn(taken);
+    if (const auto taken = onTopic(word, topics); !taken) return passOn(taken);
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
       return tl::make_unexpected(Text::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
@@ -128,7 +128,7 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, r
 }
 
 /// An option without effect is a mistake that the picture would not show.
-std::optional<QString> whyWithoutEffect(const SnapshotArguments& args, const SnapshotOptions& options) {
+std::optional<QString> withoutEffectReason(const SnapshotArguments& args, const SnapshotOptions& options) {
   if (args.average && options.mode == SnapshotMode::Submaps) {
     return Text::tr("--average only applies to whole maps: submaps are always averaged when zoomed out.");
   }
@@ -342,10 +342,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
     if (!region) return wrong(region.error());
     const Eigen::Vector2d low = region->centre_m - region->size_m / 2, high = low + region->size_m;
     options.region = geometry::WorldRect{low.x(), low.y(), high.x(), high.y()};
-    if (const auto why = whyNotWithRegion(args, options)) return wrong(*why);
+    if (const auto why = notWithRegionReason(args, options)) return wrong(*why);
     options.mode = SnapshotMode::Whole;
   }
-  if (const auto why = whyNoPlace(text(args.robot), args.resolution, args.origin)) return wrong(*why);
+  if (const auto why = noPlaceReason(text(args.robot), args.resolution, args.origin)) return wrong(*why);
   options.average = args.average;
   options.robot_anyway = args.robot_anyway;
   const auto size = parseSize(text(args.size));
@@ -400,7 +400,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
     return wrong(Text::tr("--theme must be light or dark, not \"%1\".").arg(text(args.theme)));
   }
   options.dark = args.theme == "dark";
-  if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
+  if (const auto why = noTimeoutReason(args.timeout_s)) return wrong(*why);
   options.timeout_s = args.timeout_s;
   if (args.settle != "complete") {
     bool ok = false;
@@ -414,7 +414,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
     }
     options.settle_s = seconds;
   }
-  if (const auto why = whyWithoutEffect(args, options)) return wrong(*why);
+  if (const auto why = withoutEffectReason(args, options)) return wrong(*why);
   // Layers that --raw never draws are neither requested nor waited for.
   if (options.raw) {
     std::erase_if(options.layers, [](scene::Layer layer) {
@@ -423,10 +423,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
   }
   for (const QString& path : {options.output, options.report}) {
     if (path.isEmpty()) continue;
-    if (const auto why = whyNotWritable(path)) return wrong(*why);
+    if (const auto why = notWritableReason(path)) return wrong(*why);
   }
   const QString printed = options.json && !isStandardOutput(options.report) ? QStringLiteral("-") : QString();
-  if (const auto why = whyNotTogether({options.output, options.report, printed})) return wrong(*why);
+  if (const auto why = notTogetherReason({options.output, options.report, printed})) return wrong(*why);
   return options;
 }
 
@@ -473,7 +473,7 @@ int snapshot(const SnapshotArguments& args, int& argc, char** argv) {
 }
 
 int snapshotOf(SnapshotArguments& args, const Invocation& before) {
-  takeRecording(args.robot, args.bag, before.robot);
+  onRecording(args.robot, args.bag, before.robot);
   inherit(args, before);
   return snapshot(args, before.argc, before.argv);
 }

@@ -28,9 +28,9 @@ std::optional<CommandFailure> RegionSnapshot::begin(robot::Robot& robot, double 
   const QString why =
       dispatch && dispatch->offered(robot::DispatchService::Grid)
           ? Text::tr("It only sends its map as a whole.")
-      : dispatch
-          ? Text::tr("It has no map in the plane, only a 3D map: pass --map projected_map_0 instead.")
-          : sentences::whyAbsent(robot::Capability::Dispatch, robot.whyNot(robot::Capability::Dispatch));
+      : dispatch ? Text::tr("It has no map in the plane, only a 3D map: pass --map projected_map_0 instead.")
+                 : sentences::absenceReason(robot::Capability::Dispatch,
+                                            robot.unavailableReason(robot::Capability::Dispatch));
   return CommandFailure{exitCodeOf(map::FailureKind::Unsupported),
                         Text::tr("%1: it does not offer its map by region. %2").arg(robot_, why)};
 }

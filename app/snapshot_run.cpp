@@ -135,7 +135,7 @@ void SnapshotRun::start() {
   poll_.start(kSnapshotLookEveryMs);
   view_ = chooseView();
   if (options_.center_m) session_.setView(view_.visibleWorld(), view_.center_m);
-  noteStanding();
+  updateStanding();
   session_.open();
 }
 
@@ -163,7 +163,7 @@ bool SnapshotRun::connected() {
     if (replayed_)
       subject += QStringLiteral(": ") +
                  sentences::nameOf(subjectOf(robot::BagKey{robot::BagKind::Bag, options_.bag}));
-    fail(isLocal() ? kUsage : code, QStringLiteral("%1: %2").arg(subject, whyNotConnected(link)));
+    fail(isLocal() ? kUsage : code, QStringLiteral("%1: %2").arg(subject, notConnectedReason(link)));
     return false;
   }
   if (link.phase != robot::ConnectionPhase::Online) {
@@ -172,14 +172,14 @@ bool SnapshotRun::connected() {
                           link.failure == map::FailureKind::NotARobot);
     if (gave_up) {
       fail(exitCodeOf(link.failure, kUnreachable),
-           QStringLiteral("%1: %2").arg(options_.robot, whyNotConnected(link)));
+           QStringLiteral("%1: %2").arg(options_.robot, notConnectedReason(link)));
     }
     return false;
   }
   if (replayed_ && !recalled()) return false;
   if (options_.mode == SnapshotMode::Submaps && !session_.robot().submapSource()) {
-    const QString why =
-        sentences::whyAbsent(robot::Capability::Submaps, session_.robot().whyNot(robot::Capability::Submaps));
+    const QString why = sentences::absenceReason(
+        robot::Capability::Submaps, session_.robot().unavailableReason(robot::Capability::Submaps));
     fail(isLocal() ? kUsage : kRobotError, QStringLiteral("%1: %2").arg(options_.robot, why));
     return false;
   }
@@ -231,7 +231,7 @@ bool SnapshotRun::recalled() {
       }
       options_.at_s = *at_s;
     }
-    const QString why = incident::whyNotWithin(options_.bag, bag, *options_.at_s, !isLocal());
+    const QString why = incident::notWithinReason(options_.bag, bag, *options_.at_s, !isLocal());
     if (!why.isEmpty()) {
       fail(kUsage, why);
       return false;
@@ -264,7 +264,7 @@ bool SnapshotRun::wantsWholeInstead() {
          sinceConnected() > listWithin() && robot.wholeMapSource() != nullptr;
 }
 
-void SnapshotRun::takeWholeInstead() {
+void SnapshotRun::useWholeInstead() {
   options_.mode = SnapshotMode::Whole;
   whole_asked_s_ = sinceConnected();
   shown_instead_ =
@@ -284,7 +284,7 @@ void SnapshotRun::takeWholeInstead() {
 void SnapshotRun::look() {
   if (done_ || chosen_ || !connected()) return;
   if (region_) return lookAtRegion();
-  if (wantsWholeInstead()) takeWholeInstead();
+  if (wantsWholeInstead()) useWholeInstead();
   // Do not wait for pictures that a bag names but the robot no longer has.
   const bool coming = replayed_ && replayed_->picturesUnderWay() > 0;
   const double waited_s = coming ? 0 : sinceConnected() - whole_asked_s_;
@@ -303,8 +303,8 @@ void SnapshotRun::look() {
     paint(false);
   } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
     // Counting a hundred thousand submaps takes a moment, so do not do it every time.
-    noteStanding();
-    tellProgress();
+    updateStanding();
+    reportProgress();
   }
 }
 
@@ -328,7 +328,7 @@ void SnapshotRun::lookAtRegion() {
   if (region_->over() && topicsIn() && cloudIn()) paint(true);
 }
 
-void SnapshotRun::tellProgress() {
+void SnapshotRun::reportProgress() {
   if (!isSignalConnected(QMetaMethod::fromSignal(&SnapshotRun::progressed))) return;
   if (options_.wantsWhole()) {
     const session::MapSlot& slot = session_.wholeMap();
@@ -346,7 +346,7 @@ void SnapshotRun::tellProgress() {
   }
 }
 
-void SnapshotRun::noteStanding() {
+void SnapshotRun::updateStanding() {
   const double began_s = seconds();
   SnapshotStanding standing;
   const bool connected = connected_s_ >= 0;
@@ -399,8 +399,8 @@ void SnapshotRun::askForCloud(const geometry::WorldRect& seen) {
   cloud_ = std::make_shared<Cloud>();
   robot::Robot& robot = session_.robot();
   if (!robot.mapDispatch()) {
-    cloud_->problem =
-        sentences::whyAbsent(robot::Capability::Dispatch, robot.whyNot(robot::Capability::Dispatch));
+    cloud_->problem = sentences::absenceReason(robot::Capability::Dispatch,
+                                               robot.unavailableReason(robot::Capability::Dispatch));
     return;
   }
   map::CloudRegion region;
@@ -607,8 +607,8 @@ void SnapshotRun::paint(bool settled) {
   }
   if (lacksSubmaps())
     notes_ << Text::tr("The bag contains no submap list up to this time: there are no submaps to draw.");
-  noteChosenTopics();
-  if (!replayed_) noteUnplaced();
+  checkChosenTopics();
+  if (!replayed_) reportUnplaced();
   for (const QString& topic : live_layers_.silent()) {
     // Nothing is requested for a bag: data that is not in it is not missing.
     if (replayed_) break;
@@ -625,7 +625,7 @@ void SnapshotRun::paint(bool settled) {
     notes_ << Text::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
   }
   view_ = chooseView();
-  noteStanding();
+  updateStanding();
   Q_EMIT contentChosen();
   SnapshotContent content = chooseContent();
   if (region_) {
@@ -644,7 +644,7 @@ void SnapshotRun::paint(bool settled) {
 }
 
 /// What lacks its transform is not where it belongs: nowhere.
-void SnapshotRun::noteUnplaced() {
+void SnapshotRun::reportUnplaced() {
   QStringList topics = live_layers_.unplaced();
   for (const auto& [topic, count] : live_layers_.unplacedMarkers()) {
     topics << topic;
@@ -655,7 +655,7 @@ void SnapshotRun::noteUnplaced() {
   complete_ = complete_ && topics.isEmpty();
 }
 
-void SnapshotRun::noteChosenTopics() {
+void SnapshotRun::checkChosenTopics() {
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
   if (!of || !of->offered()) return;
   for (const auto& [stream, topic] : options_.topics) {

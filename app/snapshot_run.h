@@ -99,15 +99,15 @@ class SnapshotRun : public QObject {
   /// For a bag: the state at its time has been applied.
   bool recalled();
   bool topicsChoosable();
-  void noteChosenTopics();
-  void noteUnplaced();
+  void checkChosenTopics();
+  void reportUnplaced();
   /// There is no map, but sensor data to show.
   bool drawsScansAlone() const;
   /// The mode is automatic, no submap list arrives, and a whole map is available.
   bool wantsWholeInstead();
-  void takeWholeInstead();
-  void tellProgress();
-  void noteStanding();
+  void useWholeInstead();
+  void reportProgress();
+  void updateStanding();
   void timeOut();
   void cutOff();
   void paint(bool settled);

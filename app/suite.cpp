@@ -86,7 +86,7 @@ tl::expected<suite::Suite, QString> suiteIn(const std::string& path) {
 }
 
 /// A sentence if nothing can be written into this folder, which is made where it is missing.
-std::optional<QString> whyNoFolder(const QString& folder) {
+std::optional<QString> noFolderReason(const QString& folder) {
   if (QDir().mkpath(folder) && QFileInfo(folder).isWritable()) return std::nullopt;
   return Text::tr("The folder %1 cannot be written.").arg(folder);
 }
@@ -148,7 +148,8 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
       return tl::make_unexpected(
           Text::tr("--expected and --report are the same folder. Choose two different ones."));
     for (const char* const kind : {"", "/actual", "/difference"}) {
-      if (const auto why = whyNoFolder(plan.report + QLatin1String(kind))) return tl::make_unexpected(*why);
+      if (const auto why = noFolderReason(plan.report + QLatin1String(kind)))
+        return tl::make_unexpected(*why);
     }
   }
   for (suite::View& view : read->views) {
@@ -380,7 +381,7 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
 
 /// The picture that was drawn and its facts become what is expected: both or neither. Facts that name another
 /// picture are left where the program ends in between.
-std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
+std::optional<QString> checkPicture(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
   const auto bytes = disk::readFile(plan.made("actual", view).toStdString(), kMostPictureFileBytes);
   if (!bytes) return sentences::sentenceOf(bytes.error().cause);
   disk::WrittenFile picture(plan.expectedPicture(view).toStdString());
@@ -409,7 +410,7 @@ QString endVariants(const PlannedSuite& plan, std::size_t view) {
 }
 
 int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
-  if (const auto why = whyNoFolder(plan.expected)) return refuse(kUsage, *why);
+  if (const auto why = noFolderReason(plan.expected)) return refuse(kUsage, *why);
   int code = kDone;
   drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) {
     const QString& name = plan.views[view].name;
@@ -439,7 +440,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     ViewOutcome outcome;
     if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);
     if (verdict.unreadable) outcome.sentence = verdict.sentence;
-    if (const auto why = takePicture(plan, view, facts)) return fail(kUsage, *why);
+    if (const auto why = checkPicture(plan, view, facts)) return fail(kUsage, *why);
     const QString ended = endVariants(plan, view);
     return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, ended + outcome.sentence)
                     : Text::tr("%1: new, %2").arg(name, picture);

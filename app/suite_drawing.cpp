@@ -114,7 +114,7 @@ tl::expected<SnapshotOptions, QString> snapshotOptionsOf(const suite::View& view
   }
   if (!args.bag.empty()) {
     args.bag = placedBag(text(args.bag), folder).toStdString();
-    takeRecording(args.robot, args.bag, robot);
+    onRecording(args.robot, args.bag, robot);
   }
   if (args.robot.empty()) args.robot = robot;
   if (args.robot.empty()) return wrong_view(Text::tr("It names no robot, and neither does --robot."));

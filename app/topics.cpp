@@ -288,7 +288,7 @@ class TopicsRun {
 
 CommandResult<int> runTopics(const std::string& what, const TopicsArguments& args) {
   if (!args.robot.empty()) {
-    if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
+    if (const auto why = noTimeoutReason(args.timeout_s)) return wrong(*why);
     if (!(args.seconds > 0 && args.seconds <= 86'400))
       return wrong(Text::tr("--seconds must be greater than 0 and at most 86400."));
   }
@@ -298,7 +298,7 @@ CommandResult<int> runTopics(const std::string& what, const TopicsArguments& arg
   if (!robot.liveTopics())
     return wrong(Text::tr("%1: %2").arg(
         text(args.robot),
-        sentences::whyAbsent(robot::Capability::Live, robot.whyNot(robot::Capability::Live))));
+        sentences::absenceReason(robot::Capability::Live, robot.unavailableReason(robot::Capability::Live))));
   if (what != "list" && !robot::deliversOf(robot))
     return wrong(Text::tr("%1 sends nothing by itself. For a recording, mapwright bags frames prints the "
                           "messages and mapwright bags info shows what it contains.")

@@ -20,7 +20,7 @@ void sumCells(const grids::GridPyramid& cells, suite::MapFact& map) {
   for (int y = 0; y < cells.height(); ++y) {
     const std::uint8_t* const row = rows.row(y);
     sum.addData(QByteArrayView(reinterpret_cast<const char*>(row), cells.width()));
-    map.blocks.takeRow(y, row);
+    map.blocks.addRow(y, row);
   }
   map.cells = sum.result().toHex().left(32).toStdString();
 }

@@ -155,7 +155,7 @@ CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::s
   auto stored = readAll(list, robot.waypointSource());
   if (!stored) return list.failure(stored.error());
   list.stored = std::move(*stored);
-  if (use == Use::Changing) reading.noteUnconfirmed(robot::Capability::WaypointEditing);
+  if (use == Use::Changing) reading.warnOfUnconfirmed(robot::Capability::WaypointEditing);
   for (const Fault& note : list.stored.notes)
     reading.note(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
                                               sentences::sentenceOf(note)));
@@ -252,7 +252,7 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   if (!doubtful.looked) {
     doubtful.untold =
         Text::tr("The map under the waypoints cannot be read, so they are not checked for walls.");
-    if (!ground.why_not.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.why_not;
+    if (!ground.unavailable_reason.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.unavailable_reason;
   } else {
     doubtful.untold = sentences::sentenceOf(found.state);
   }

@@ -37,14 +37,14 @@ class Sending {
     open_.document().rebase(edits, {});
     for (exchange::WaypointStep& step : exchange::stepsOf(open_.document().allChanges()))
       sent_.steps.push_back({std::move(step)});
-    takeConflicts();
+    reportConflicts();
     bool looked = true;  // nothing has been sent since
-    const bool any_refused = noteRefused();
+    const bool any_refused = reportRefused();
     if (sent_.conflicts.empty() && !sent_.steps.empty() && (!any_refused || at_failure_ == AtFailure::GoOn))
       looked = send() || look();
     sent_.kept = open_.document().kept();
     if (looked) judge();
-    noteLeftNames(looked);
+    warnOfLeftNames(looked);
     return std::move(sent_);
   }
 
@@ -56,8 +56,8 @@ class Sending {
     open_.save(at_failure_);
     const bool in_time = settle();
     if (!in_time) giveUp();
-    noteRows(in_time);
-    takeConflicts();
+    reportRows(in_time);
+    reportConflicts();
     const auto& submission = open_.submission();
     if (submission.phase() != edit::SubmissionPhase::Stopped)
       return submission.phase() == edit::SubmissionPhase::Done;
@@ -84,7 +84,7 @@ class Sending {
   }
 
   /// Does not send what would certainly be refused; if the first failure stops everything, sends nothing.
-  bool noteRefused() {
+  bool reportRefused() {
     const std::set<edit::Key> refused = open_.refused();
     for (SentStep& sent : sent_.steps) {
       if (!refused.contains(sent.step.key)) continue;
@@ -96,7 +96,7 @@ class Sending {
     return !refused.empty();
   }
 
-  void takeConflicts() {
+  void reportConflicts() {
     for (const auto& [key, conflict] : open_.document().conflicts())
       sent_.conflicts.insert_or_assign(key, conflict);
   }
@@ -111,7 +111,7 @@ class Sending {
     return told;
   }
   /// A step with several requests is applied if all of them are.
-  void noteRows(bool in_time) {
+  void reportRows(bool in_time) {
     std::map<SentStep*, exchange::SentOutcome> told;
     for (const Row& row : open_.submission().rows()) {
       const exchange::SentOutcome now = toldBy(row, in_time);
@@ -153,7 +153,7 @@ class Sending {
       });
       if (stored) {
         open_.document().take(exchange::itemsOf(stored->points));
-        takeConflicts();
+        reportConflicts();
         return true;
       }
       const auto online = [&] {
@@ -174,7 +174,7 @@ class Sending {
     }
   }
 
-  void noteLeftNames(bool looked) {
+  void warnOfLeftNames(bool looked) {
     for (const SentStep& sent : sent_.steps) {
       if (sent.step.kind != exchange::StepKind::Rename) continue;
       const map::Waypoint &before = *sent.step.before, &after = *sent.step.after;

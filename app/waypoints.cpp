@@ -99,8 +99,8 @@ CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArgumen
   const QString output = text(args.output);
   const auto kind = waypointFileKind(args.output, args.format);
   if (!kind) return wrong(kind.error());
-  if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
-  if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
+  if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report)})) return wrong(*why);
   const auto list = listWaypoints(command, args.map, Use::Reading);
   if (!list) return passOn(list);
   const std::string bytes =
@@ -179,7 +179,7 @@ CommandResult<int> change(RobotCommand& command, const WaypointsArguments& args,
   if (!edits) return passOn(edits);
   const bool deletes =
       std::any_of(edits->begin(), edits->end(), [](const auto& edit) { return !edit.after; });
-  if (const QString stays = exchange::whyNotRemoved(list->store->keeps()); deletes && !stays.isEmpty())
+  if (const QString stays = exchange::notRemovedReason(list->store->keeps()); deletes && !stays.isEmpty())
     return list->robot->failure(kRobotError, stays);
   const bool tags = std::any_of(edits->begin(), edits->end(),
                                 [](const auto& edit) { return edit.after && !edit.after->tags.empty(); });
@@ -187,7 +187,7 @@ CommandResult<int> change(RobotCommand& command, const WaypointsArguments& args,
     return list->robot->failure(kRobotError, Text::tr("Waypoints of this robot cannot have tags."));
   edits = fitted(*list, std::move(*edits));
   for (const exchange::WaypointEdit& edit : *edits) {
-    const QString why = edit.after ? exchange::whyNotKept(edit.before, *edit.after) : QString();
+    const QString why = edit.after ? exchange::notKeptReason(edit.before, *edit.after) : QString();
     if (!why.isEmpty()) return wrong(why);
   }
   if (args.dry_run) {
@@ -361,12 +361,12 @@ CommandResult<int> waypointsImport(RobotCommand& command, const WaypointsArgumen
 CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments& args) {
   const QString output = text(args.output);
   if (!output.isEmpty()) {
-    if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
+    if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
   }
   const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
   const QString printed = args.json ? QStringLiteral("-") : QString();
-  if (const auto why = whyNotTogether({output, text(args.report), printed})) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report), printed})) return wrong(*why);
   const exchange::WantedFile wanted = readWantedFile(args.file, args.format, args.angles);
   if (!wanted) return wrong(wanted.error());
   const auto list = listWaypoints(command, args.map, Use::Changing);

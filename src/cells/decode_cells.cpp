@@ -89,7 +89,7 @@ tl::expected<Texture, Fault> fromPlain(std::span<const std::uint8_t> bytes, cons
   return failure(wrongCount(fault::BytesUnexpected, bytes.size(), shape));
 }
 
-Fault whyNotUnpacked(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
+Fault notUnpackedReason(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
   if (why == packed::UnpackFailure::TooLong)
     return wrongCount(faultText("cells", "more than %1 bytes where %2 (or %3) were expected"),
                       2 * shape.cells(), shape);
@@ -340,7 +340,7 @@ tl::expected<Texture, Fault> decodeCells(std::span<const std::uint8_t> bytes, in
   if (may_be_plain) {
     return fromPlain(bytes, shape, cell_format);
   }
-  return failure(whyNotUnpacked(container, unpacked.error(), shape));
+  return failure(notUnpackedReason(container, unpacked.error(), shape));
 }
 
 }  // namespace mapwright::cells

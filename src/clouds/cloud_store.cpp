@@ -49,7 +49,7 @@ void CloudStore::clear() {
   range_.reset();
   Q_EMIT changed();
   Q_EMIT summed();
-  noteSettled();
+  emitSettled();
 }
 
 void CloudStore::setHeightRange(std::optional<HeightRange> range) {
@@ -120,7 +120,7 @@ void CloudStore::later(std::uint64_t epoch, std::function<void()> made) {
 
 // One after the other: the newest is the last one received, however large it is.
 void CloudStore::proceed() {
-  noteSettled();
+  emitSettled();
   if (ordering_ || waiting_.empty()) return;
   ordering_ = true;
   CloudPiece piece = std::move(waiting_.front());
@@ -142,7 +142,7 @@ void CloudStore::proceed() {
       proceed();
     });
   });
-  noteSettled();
+  emitSettled();
 }
 
 /// New data is shown when its heights are known, since the colours depend on them.
@@ -160,10 +160,10 @@ void CloudStore::count() {
       counting_ = false;
       take(set, found, shown);
       if (std::exchange(count_again_, false)) count();
-      noteSettled();
+      emitSettled();
     });
   });
-  noteSettled();
+  emitSettled();
 }
 
 void CloudStore::take(const std::shared_ptr<const CloudSet>& set, const Heights& found, std::uint64_t shown) {
@@ -191,7 +191,7 @@ void CloudStore::proceedCutting() {
   });
 }
 
-void CloudStore::noteSettled() {
+void CloudStore::emitSettled() {
   const bool now = settled();
   if (std::exchange(was_settled_, now) != now) Q_EMIT settledChanged();
 }

@@ -82,7 +82,7 @@ class CloudStore : public QObject {
   void count();
   void take(const std::shared_ptr<const CloudSet>& set, const Heights& found, std::uint64_t shown);
   void proceedCutting();
-  void noteSettled();
+  void emitSettled();
 
   using Flag = std::shared_ptr<std::atomic<bool>>;
   NewestClouds newest_;

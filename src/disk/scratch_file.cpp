@@ -36,12 +36,12 @@ void ScratchFile::open() {
   if (file_ >= 0) return;
   const std::filesystem::path temporary = std::filesystem::temp_directory_path(failed);
   if (!failed) file_ = unnamedFileIn(temporary);
-  if (file_ < 0) why_not_ = failed ? failed.value() : errno;
+  if (file_ < 0) unavailable_reason_ = failed ? failed.value() : errno;
 }
 
 std::string ScratchFile::write(std::span<const std::uint8_t> bytes, std::uint64_t at) {
   std::call_once(opened_, [this] { open(); });
-  if (file_ < 0) return std::strerror(why_not_);
+  if (file_ < 0) return std::strerror(unavailable_reason_);
   return writeAt(file_, bytes, at) ? std::string() : std::strerror(errno);
 }
 

@@ -31,7 +31,7 @@ class ScratchFile {
   std::string folder_;
   std::once_flag opened_;
   int file_ = -1;
-  int why_not_ = 0;  // errno of open()
+  int unavailable_reason_ = 0;  // errno of open()
 };
 
 }  // namespace mapwright::disk

@@ -136,7 +136,7 @@ void WaypointDocument::take(const Items& stored) {
   Q_EMIT changed(told);
 }
 
-void WaypointDocument::takeGone() {
+void WaypointDocument::onGone() {
   base_.clear();
   conflicts_.clear();
   sent_.clear();
@@ -144,7 +144,7 @@ void WaypointDocument::takeGone() {
   unsaved_.clear();
   DocumentChange told;
   for (const auto& [key, item] : items_) {
-    noteUnsaved(key);
+    updateUnsaved(key);
     told.changed.push_back(key);
   }
   Q_EMIT changed(told);
@@ -233,12 +233,12 @@ void WaypointDocument::set(DocumentChange& told, const Key& key, Item item) {
 void WaypointDocument::refreshState(const Key& key) {
   const map::Waypoint *const kept = findKept(key), *const here = find(key);
   const bool alike = !kept == !here && (!kept || difference(*kept, *here) == 0);
-  if (!alike) return noteUnsaved(key);
+  if (!alike) return updateUnsaved(key);
   unsaved_.erase(key);
   since_.erase(key);
 }
 
-void WaypointDocument::noteUnsaved(const Key& key) {
+void WaypointDocument::updateUnsaved(const Key& key) {
   unsaved_.insert(key);
   if (since_.try_emplace(key, last_change_ + 1).second) ++last_change_;
 }

@@ -75,7 +75,7 @@ class WaypointDocument : public QObject {
   /// The stored items as of now. Merges them with mine; what cannot be merged becomes a conflict.
   void take(const Items& stored);
   /// The stored list disappeared as a whole; nobody removed single items. Everything here is unsaved now.
-  void takeGone();
+  void onGone();
   /// Ends a conflict. Taking theirs can be undone; then mine is back, unsaved.
   void decide(const Key& key, Side side, const QString& text);
 
@@ -109,7 +109,7 @@ class WaypointDocument : public QObject {
   Item mine(const Key& key) const;
   void set(DocumentChange& told, const Key& key, Item item);
   void refreshState(const Key& key);
-  void noteUnsaved(const Key& key);
+  void updateUnsaved(const Key& key);
   void exchange(const std::vector<Change>& changes, bool forth);
   Items underOurKeys(const Items& stored);
 

@@ -41,7 +41,7 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
     connect(keeper_.get(), &DraftKeeper::troubleChanged, this, &OpenWaypoints::draftTroubleChanged);
     connect(&document_, &WaypointDocument::changed, keeper_.get(), &DraftKeeper::touch);
   }
-  connect(&submission_, &WaypointSubmission::changed, this, &OpenWaypoints::noteSubmission);
+  connect(&submission_, &WaypointSubmission::changed, this, &OpenWaypoints::onSubmissionChanged);
   connect(&store, &robot::WaypointStore::changed, this, &OpenWaypoints::read);
   connect(&store, &robot::WaypointStore::named, this, &OpenWaypoints::onNamed);
   read();
@@ -54,7 +54,7 @@ OpenWaypoints::~OpenWaypoints() {
   keepDraft();
 }
 
-void OpenWaypoints::noteSubmission() {
+void OpenWaypoints::onSubmissionChanged() {
   const auto& failure = submission_.failure();
   if (submission_.phase() == SubmissionPhase::Stopped) read_since_ = false;
   const bool overtaken = submission_.phase() == SubmissionPhase::Stopped && failure &&
@@ -114,7 +114,7 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
   if (std::exchange(has_read_, true)) {
     const bool gone = !stored.there && !document_.kept().empty();
     if (!gone) return document_.take(itemsOf(stored.points));
-    document_.takeGone();
+    document_.onGone();
     Q_EMIT remarked(faultText("edit",
                               "The saved waypoint draft has disappeared. The waypoints are still open here: "
                               "saving writes them again."));
@@ -276,7 +276,7 @@ void OpenWaypoints::offer(LeftDrafts left) {
   Q_EMIT changed();
 }
 
-void OpenWaypoints::takeUp(const QString& text) {
+void OpenWaypoints::restoreDraft(const QString& text) {
   if (offered_.empty()) return;
   document_.rebase(offered_.front().changes, text);
   keeper_->replace(left_.front());

@@ -86,7 +86,7 @@ class OpenWaypoints : public QObject {
   /// Drafts of programs that ended without saving, as changes to the document; newest first.
   const std::vector<WaypointDraft>& offered() const { return offered_; }
   /// Merges the first one into the document as one command, and deletes it once its content is saved again.
-  void takeUp(const QString& text);
+  void restoreDraft(const QString& text);
   /// It is not wanted.
   void turnDown();
   /// Reverts everything to the stored state and removes the draft.
@@ -114,7 +114,7 @@ class OpenWaypoints : public QObject {
   std::vector<Change> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
   void lookForDrafts();
   void offer(LeftDrafts left);
-  void noteSubmission();
+  void onSubmissionChanged();
   void forgetFirstOffer();
 
   QPointer<robot::WaypointStore> store_;

@@ -121,7 +121,7 @@ tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItem
 
 edit::Key freshKey() { return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(); }
 
-QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoint& after) {
+QString notKeptReason(const std::optional<map::Waypoint>& before, const map::Waypoint& after) {
   if (!before || before->name != after.name) {
     if (text(after.name).trimmed().isEmpty()) return WaypointPlanText::tr("A waypoint must have a name.");
     if (!isOneLine(after.name))
@@ -143,7 +143,7 @@ QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoi
   return {};
 }
 
-QString whyNotRemoved(const robot::KeptFields& keeps) {
+QString notRemovedReason(const robot::KeptFields& keeps) {
   if (keeps.removal) return {};
   return WaypointPlanText::tr("Waypoints of this robot cannot be deleted from here.");
 }
@@ -241,7 +241,7 @@ WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoi
     if (!listed.insert(edit.key).second)
       return inRow(WaypointPlanText::tr("The waypoint %1 appears twice. Remove one of them.")
                        .arg(plainShort(edit.key)));
-    if (const QString why = whyNotKept(edit.before, *edit.after); !why.isEmpty()) return inRow(why);
+    if (const QString why = notKeptReason(edit.before, *edit.after); !why.isEmpty()) return inRow(why);
     if (!edit::same(edit.before, edit.after)) edits.push_back(std::move(edit));
   }
   if (others == Others::Stay) return edits;
@@ -320,7 +320,7 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
   }
   for (const edit::Key& key : order) {
     WaypointEdit& edit = edits.at(key);
-    const QString why = edit.after ? whyNotKept(edit.before, *edit.after) : QString();
+    const QString why = edit.after ? notKeptReason(edit.before, *edit.after) : QString();
     if (!why.isEmpty()) return wrong(QStringLiteral("%1: %2").arg(plainShort(key), why));
     plan.edits.push_back(std::move(edit));
   }

@@ -27,14 +27,14 @@ using WaypointEdits = tl::expected<std::vector<WaypointEdit>, QString>;
 WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoint>& wanted, Others others);
 
 /// Why a waypoint cannot be stored like this; empty if it can. Unchanged fields are not checked.
-QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoint& after);
+QString notKeptReason(const std::optional<map::Waypoint>& before, const map::Waypoint& after);
 /// The edits as they will be stored. `notes`: what cannot be stored, a sentence each.
 struct FittedEdits {
   std::vector<WaypointEdit> edits;  // without those that change nothing
   QStringList notes;
 };
 /// Why what is stored is not deleted; empty: it can be.
-QString whyNotRemoved(const robot::KeptFields& keeps);
+QString notRemovedReason(const robot::KeptFields& keeps);
 FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& keeps);
 /// "Dock, Gate: another waypoint has this name, …"; empty if none is refused.
 QString refusedText(const std::set<edit::Key>& refused, const std::vector<WaypointEdit>& edits);

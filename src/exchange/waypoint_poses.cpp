@@ -59,7 +59,7 @@ class PoseList {
 
   WantedFile read(const std::vector<FileValue>& documents) {
     for (const FileValue& document : documents) {
-      if (const auto why = whyNone(document)) return wrong(*why);
+      if (const auto why = noneReason(document)) return wrong(*why);
       if (const auto why = isGraph(document) ? readGraph(document) : readIn(document, {}, {}, 0))
         return wrong(*why);
     }
@@ -77,7 +77,7 @@ class PoseList {
   static bool isGraph(const FileValue& document) { return document.find("levels") != nullptr; }
 
   /// What is something else, by what only that has.
-  static Trouble whyNone(const FileValue& document) {
+  static Trouble noneReason(const FileValue& document) {
     if (document.find("image") && document.find("resolution"))
       return WaypointPosesText::tr("It is a map.yaml, not a list of waypoints.");
     const FileValue* const levels = document.find("levels");

@@ -109,7 +109,7 @@ bool isKnown(const std::string& column) { return meaningOf(column) != FieldMeani
 bool isNumber(FieldMeaning meaning) { return meaning >= FieldMeaning::X; }
 
 /// Whether it can be the header of a list.
-std::optional<QString> whyNoHeader(const CsvRecord& header) {
+std::optional<QString> noHeaderReason(const CsvRecord& header) {
   std::set<std::string> names;
   std::set<FieldMeaning> meanings;
   for (const std::string& field : header.fields) {
@@ -243,7 +243,7 @@ int withoutComments(std::vector<CsvRecord>& records) {
   int comments = 0;
   while (!records.empty() && trimmed(records.front().fields.front()).starts_with('#')) {
     auto& fields = records.front().fields;
-    if (fields.size() > 1 && !whyNoHeader(records.front())) {
+    if (fields.size() > 1 && !noHeaderReason(records.front())) {
       fields.front() = fields.front().substr(fields.front().find('#') + 1);
       break;
     }
@@ -387,7 +387,7 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
     reading.note(WaypointTableText::tr("Commas in numbers were read as decimal points."));
   std::vector<TableColumn> columns;
   if (shape.header) {
-    if (const auto why = whyNoHeader(records->front())) return wrongAt(records->front().line, *why);
+    if (const auto why = noHeaderReason(records->front())) return wrongAt(records->front().line, *why);
     for (const std::string& field : records->front().fields)
       columns.push_back({isBlank(field) ? std::string() : trimmed(field)});
     records->erase(records->begin());

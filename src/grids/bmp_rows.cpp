@@ -70,7 +70,7 @@ class BmpRows final : public PictureRows {
 tl::unexpected<Fault> unreadable(Fault why) { return tl::unexpected(std::move(why)); }
 
 /// Only masks of whole bytes are supported; false for others.
-bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
+bool readMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
   for (std::size_t channel = 0; channel < (has_alpha ? 4u : 3u); ++channel) {
     const std::uint32_t mask = dword(masks + 4 * channel);
     if (channel == 3 && mask == 0) return true;
@@ -116,7 +116,7 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
   header.top_down = height < 0;
   const std::int64_t rows = height < 0 ? -std::int64_t(height) : height;
   if (width < 0) return unreadable(faultText("grids", "It is a BMP with a negative width."));
-  if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(rows))) {
+  if (auto problem = notThisSizeReason(std::uint64_t(width), std::uint64_t(rows))) {
     return tl::unexpected(std::move(*problem));
   }
   format.width = width;
@@ -142,7 +142,7 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
     if (!bytes.readAt(0, start.data(), kFileHeader + masks)) {
       return unreadable(fault::BmpHeaderShort);
     }
-    if (!takeMasks(info + kInfoHeader, in_header, header)) {
+    if (!readMasks(info + kInfoHeader, in_header, header)) {
       return unreadable(faultText("grids", "It is a BMP whose colours are not whole bytes. Save it as PNG."));
     }
   }

@@ -308,7 +308,7 @@ tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(const map::OccupancyC
                                                            int height, const GridOptions& options) {
   if (!cells || width < 1 || height < 1 || cells->size() / std::size_t(width) < std::size_t(height))
     return tl::unexpected(Fault(fault::PictureEmpty));
-  if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(height)))
+  if (auto problem = notThisSizeReason(std::uint64_t(width), std::uint64_t(height)))
     return tl::unexpected(std::move(*problem));
   GridOptions of_cells = options;
   of_cells.reading = {map::CellReading::Mode::Raw};

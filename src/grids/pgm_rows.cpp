@@ -146,7 +146,7 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openPgm(ByteSource bytes) {
       return tl::unexpected(Fault(faultText("grids", "It is a PGM whose header is cut off or invalid.")));
     }
   }
-  if (auto problem = whyNotThisSize(std::uint64_t(head[0]), std::uint64_t(head[1]))) {
+  if (auto problem = notThisSizeReason(std::uint64_t(head[0]), std::uint64_t(head[1]))) {
     return tl::unexpected(std::move(*problem));
   }
   if (head[2] < 1 || head[2] > kLargestMaxval) {

@@ -10,7 +10,7 @@
 
 namespace mapwright::grids {
 
-std::optional<Fault> whyNotThisSize(std::uint64_t width, std::uint64_t height) {
+std::optional<Fault> notThisSizeReason(std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) {
     return Fault{faultText("grids", "Its header says %1 pixels: it is empty."),
                  {words::dimensions(std::int64_t(width), std::int64_t(height))}};

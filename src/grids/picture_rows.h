@@ -61,7 +61,7 @@ class PictureRows {
 tl::expected<std::unique_ptr<PictureRows>, Fault> openPicture(ByteSource bytes);
 
 /// nullopt = fine, otherwise why not.
-std::optional<Fault> whyNotThisSize(std::uint64_t width, std::uint64_t height);
+std::optional<Fault> notThisSizeReason(std::uint64_t width, std::uint64_t height);
 
 // The formats. Precondition: the signature matches.
 tl::expected<std::unique_ptr<PictureRows>, Fault> openPng(ByteSource bytes);

@@ -57,7 +57,7 @@ std::optional<std::vector<std::uint8_t>> contentOf(const ByteSource& bytes, std:
 
 tl::expected<PngHeader, Fault> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
   const std::uint32_t width = bigEndian(ihdr.data()), height = bigEndian(ihdr.data() + 4);
-  if (auto problem = whyNotThisSize(width, height)) return tl::unexpected(std::move(*problem));
+  if (auto problem = notThisSizeReason(width, height)) return tl::unexpected(std::move(*problem));
   const int depth = ihdr[8], colour_type = ihdr[9];
   if (!depthFits(colour_type, depth)) {
     return refused(
@@ -92,13 +92,13 @@ tl::expected<PngHeader, Fault> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
   return header;
 }
 
-void takePalette(const std::vector<std::uint8_t>& plte, PixelFormat& format) {
+void readPalette(const std::vector<std::uint8_t>& plte, PixelFormat& format) {
   for (std::size_t n = 0; n < plte.size() / 3; ++n) {
     format.table[n] = {plte[3 * n], plte[3 * n + 1], plte[3 * n + 2], 255};
   }
 }
 
-void takeTransparency(const std::vector<std::uint8_t>& trns, bool palette, int depth, PixelFormat& format) {
+void readTransparency(const std::vector<std::uint8_t>& trns, bool palette, int depth, PixelFormat& format) {
   if (palette) {
     for (std::size_t n = 0; n < std::min<std::size_t>(trns.size(), 256); ++n) format.table[n].a = trns[n];
     format.has_alpha = true;
@@ -165,10 +165,10 @@ tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
                 : faultText("grids", "It is a PNG with a damaged transparency chunk (wrong checksum)."));
       }
       if (is_palette && palette) {
-        takePalette(*content, header->format);
+        readPalette(*content, header->format);
         has_palette = true;
       } else if (!is_palette) {
-        takeTransparency(*content, palette, header->bit_depth, header->format);
+        readTransparency(*content, palette, header->bit_depth, header->format);
       }
     } else if ((chunk->type[0] & 0x20) == 0 && !is_palette) {
       return refused(faultText("grids", "It is a PNG with a critical chunk that is not in the standard."));

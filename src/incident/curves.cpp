@@ -93,7 +93,7 @@ void Minute::take(const replay::Chunk& chunk) {
   }
 }
 
-void Minute::takePoses(const std::map<replay::Tick, replay::Digest>& digests) {
+void Minute::addPoses(const std::map<replay::Tick, replay::Digest>& digests) {
   for (const auto& [tick, digest] : digests) {
     if (digest.until_s <= from() || digest.from_s > until()) continue;
     std::vector<Sample> xs, ys;

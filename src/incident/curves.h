@@ -32,7 +32,7 @@ class Minute {
   double from() const { return at_s_ - kLookBackS; }
   double until() const { return at_s_ + kBesideS; }
   void take(const replay::Chunk& chunk);
-  void takePoses(const std::map<replay::Tick, replay::Digest>& digests);
+  void addPoses(const std::map<replay::Tick, replay::Digest>& digests);
   /// Those that have something to show.
   std::vector<Curve> curves() const;
 

@@ -392,7 +392,7 @@ QStringList inShort(const Run& run) {
 
 }  // namespace
 
-QString whyNotWithin(const std::string& name, const robot::BagInfo& info, double at_s, bool rounded) {
+QString notWithinReason(const std::string& name, const robot::BagInfo& info, double at_s, bool rounded) {
   constexpr double kSameS = 0.001, kRoundedS = 1;  // as times are written
   if (info.messages.value_or(0) == 0 && info.end_s <= 0)
     return ReportText::tr("%1 holds no messages.").arg(words::plainName(name));

@@ -65,7 +65,7 @@ std::vector<NamedJump> namedJumps(const Run& run);
 /// "2024-06-03 09:00:00.250", UTC.
 QString utcText(double epoch_s);
 /// A sentence if this time is outside of the bag. `rounded`: robots leave out the parts of seconds.
-QString whyNotWithin(const std::string& name, const robot::BagInfo& info, double at_s, bool rounded);
+QString notWithinReason(const std::string& name, const robot::BagInfo& info, double at_s, bool rounded);
 /// What the bag does not tell of the moment: sentences.
 QStringList notKnown(const Run& run);
 /// What fits together, in the words "consistent with"; what the robot says itself.

@@ -22,7 +22,7 @@ bool isOneLine(const QString& name) {
 
 }  // namespace
 
-QString whyNoMapName(const QString& name) {
+QString noMapNameReason(const QString& name) {
   if (name.trimmed().isEmpty()) return ChangeMapText::tr("A map must have a name.");
   if (!isOneLine(name))
     return ChangeMapText::tr("The name of a map must be one line without control characters.");
@@ -46,7 +46,7 @@ QString alsoCalledSo(const robot::MapOrder& order, const std::vector<map::Catalo
              : ChangeMapText::tr("Other maps have this name: ids %1.").arg(named);
 }
 
-QString whyNoFilename(const QString& name) {
+QString noFilenameReason(const QString& name) {
   constexpr qsizetype kMostBytes = 4096;
   if (!name.trimmed().isEmpty() && isOneLine(name) && name.toUtf8().size() <= kMostBytes) return {};
   return ChangeMapText::tr("The name of the file must be one line, such as office.png.");

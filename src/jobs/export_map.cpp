@@ -122,7 +122,7 @@ QString firstOwnSource(const QStringList& files, const std::vector<std::string>&
   return {};
 }
 
-QString whyMostlyMissing(const grids::GridPyramid& cells) {
+QString mostlyMissingReason(const grids::GridPyramid& cells) {
   constexpr std::int64_t kMuch = 1'000'000;  // cells; less is no trouble for anybody
   const std::int64_t height = cells.height(), missing = grids::rowsMissing(cells), width = cells.width();
   if (missing * width <= kMuch || missing * 2 <= height) return {};

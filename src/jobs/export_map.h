@@ -82,7 +82,7 @@ std::vector<std::string> sourceFiles(const robot::Addresses& addresses, const QS
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources);
 /// Why a map is not written without asking: more of its picture is missing than is there, and it is large.
 /// Such a file can be a header alone. Empty = it is written.
-QString whyMostlyMissing(const grids::GridPyramid& cells);
+QString mostlyMissingReason(const grids::GridPyramid& cells);
 /// The extension of the format: "png", "yaml".
 QString exportSuffix(ExportFormat format);
 /// Turns any name into a valid name for a file or folder, without extension.

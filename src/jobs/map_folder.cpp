@@ -129,14 +129,14 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
           Fault(faultText("jobs", "Another download into %1 is under way."), {done_.folder.toStdString()}))));
     under_way_ = transfer_.download(
         parts_.facts, in(done_.folder, kDataFile),
-        [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->takeData(std::move(data)); });
+        [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->readData(std::move(data)); });
     under_way_.onProgress([state = state_](robot::Progress progress) {
       state->progress = progress;
       if (state->on_progress) state->on_progress(progress);
     });
   }
 
-  void takeData(Outcome<robot::DataDownload> data) {
+  void readData(Outcome<robot::DataDownload> data) {
     const QString path = in(done_.folder, kDataFile);
     if (!data && data.error().robot_code == "404" && !parts_.facts.data_bytes) {
       notWhole();
@@ -243,7 +243,7 @@ tl::expected<std::string, QString> fileOf(const QString& folder, const QJsonObje
 
 }  // namespace
 
-QString whyNoMapFolder(const QString& folder, bool force) {
+QString noMapFolderReason(const QString& folder, bool force) {
   const QString shown = words::plainName(folder.toStdString());
   const QFileInfo info(folder);
   if (folder.trimmed().isEmpty()) return MapFolderText::tr("A map is downloaded into a folder: name one.");
@@ -290,8 +290,8 @@ tl::expected<robot::NewMap, QString> readMapFolder(const QString& folder, bool a
   map.name = json.value(QLatin1String("name")).toString().toStdString();
   map.grid.resolution_m = grid.value(QLatin1String("resolution")).toDouble();
   map.grid.origin = {origin[0].toDouble(), origin[1].toDouble(), 0};
-  if (const QString why = whyNoMapName(QString::fromStdString(map.name)); !why.isEmpty()) return no(why);
-  const QString why = whyNoPlaceOfMap(map.grid.resolution_m, map.grid.origin.x_m, map.grid.origin.y_m);
+  if (const QString why = noMapNameReason(QString::fromStdString(map.name)); !why.isEmpty()) return no(why);
+  const QString why = noPlaceOfMapReason(map.grid.resolution_m, map.grid.origin.x_m, map.grid.origin.y_m);
   if (!why.isEmpty()) return no(why);
   const QJsonObject files = json.value(QLatin1String("files")).toObject();
   for (const QString& file : {kDataFile, kOverlaysFile}) {

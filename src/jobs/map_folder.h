@@ -21,7 +21,7 @@ struct DownloadedMap {
 };
 
 /// Why nothing is downloaded into this folder; empty if it is. `force`: a map that is there is replaced.
-QString whyNoMapFolder(const QString& folder, bool force);
+QString noMapFolderReason(const QString& folder, bool force);
 /// Downloads a stored map; what is left of an earlier try is gone on with. Cancelled or interrupted, the
 /// folder keeps the part, without a map.json. No result if `transfer` is destroyed first. A failure that is
 /// about this computer has isAboutFiles().

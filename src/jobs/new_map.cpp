@@ -86,7 +86,7 @@ bool isPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a
 
 }  // namespace
 
-QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m) {
+QString noPlaceOfMapReason(double resolution_m, double x_m, double y_m) {
   if (!(resolution_m >= kFinestMapM && resolution_m <= kCoarsestMapM))
     return NewMapText::tr("The resolution must be between %1 and %2 metres per cell, for example 0.05.")
         .arg(kFinestMapM)
@@ -126,8 +126,8 @@ tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const 
 
 tl::expected<MapFromPicture, QString> newMapFrom(const PictureMap& picture) {
   const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
-  if (const QString why = whyNoMapName(picture.name); !why.isEmpty()) return no(why);
-  if (const QString why = whyNoPlaceOfMap(picture.resolution_m, picture.x_m, picture.y_m); !why.isEmpty())
+  if (const QString why = noMapNameReason(picture.name); !why.isEmpty()) return no(why);
+  if (const QString why = noPlaceOfMapReason(picture.resolution_m, picture.x_m, picture.y_m); !why.isEmpty())
     return no(why);
   auto bytes = readMapPicture(picture.path);
   if (!bytes) return no(bytes.error());

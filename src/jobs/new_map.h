@@ -23,7 +23,7 @@ struct PictureMap {
 };
 
 /// Why it cannot be a map, without the picture; empty if it can.
-QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m);
+QString noPlaceOfMapReason(double resolution_m, double x_m, double y_m);
 struct MapFromPicture {
   robot::NewMap map;
   /// The picture had transparent pixels. They are sent as opaque gray: robots may look at the colour only,

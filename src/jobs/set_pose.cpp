@@ -29,7 +29,7 @@ QString beliefMoves() {
       "Setting a map or a pose tells the robot where it is. If it is wrong, the robot drives into things.");
 }
 
-QString whyNoPose(const geometry::Pose2& pose) {
+QString noPoseReason(const geometry::Pose2& pose) {
   if (!std::isfinite(pose.x_m) || !std::isfinite(pose.y_m) || !std::isfinite(pose.yaw_rad))
     return SetPoseText::tr("A pose is three numbers: x and y in metres, and the heading.");
   if (std::abs(pose.x_m) >= kFarthestM || std::abs(pose.y_m) >= kFarthestM)

@@ -11,7 +11,7 @@ namespace mapwright::jobs {
 /// What happens when a map or a pose is set, to be said before.
 QString beliefMoves();
 /// Why this pose is not sent at all; empty if it is valid.
-QString whyNoPose(const geometry::Pose2& pose);
+QString noPoseReason(const geometry::Pose2& pose);
 
 /// How the pose that the robot reports differs from the one that it was given.
 struct PoseDeviation {

@@ -29,7 +29,7 @@ geometry::WorldRect GridReference::bounds() const {
   return rect;
 }
 
-std::optional<Fault> whyUnusable(const GridReference& grid) {
+std::optional<Fault> unusableReason(const GridReference& grid) {
   if (!std::isfinite(grid.resolution_m)) return fault::ResolutionNoNumber;
   if (grid.resolution_m <= 0) return Fault(fault::ResolutionNotPositive, {grid.resolution_m});
   if (grid.resolution_m < kFinestM || grid.resolution_m > kCoarsestM) {

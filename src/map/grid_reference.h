@@ -37,6 +37,6 @@ using OccupancyCells = std::shared_ptr<const std::vector<std::int8_t>>;
 /// size." A width and height of 0 are fine. Invalid: a resolution that is not finite, not positive, below 0.1
 /// mm or above 1 km; an origin that is not finite or farther than 10,000 km. A yaw that is not finite is
 /// allowed here: readers use 0 and report it (maps with "nan" as yaw exist).
-std::optional<Fault> whyUnusable(const GridReference& grid);
+std::optional<Fault> unusableReason(const GridReference& grid);
 
 }  // namespace mapwright::map

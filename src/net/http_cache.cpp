@@ -358,7 +358,7 @@ void HttpCache::write(const QByteArray& name) {
     done = changes_[name];
     lock.unlock();
     const Fault why = done.record ? folder_->keep(name, *done.record, done.now_ms) : folder_->remove(name);
-    if (why.any()) noteFailure(why);
+    if (why.any()) recordFailure(why);
     lock.lock();
   }
   waiting_bytes_ -= done.bytes();
@@ -376,7 +376,7 @@ qint64 HttpCache::bytes() {
   return folder_->bytes();  // the writer is idle until the next change, which only this thread can make
 }
 
-void HttpCache::noteFailure(const Fault& why) {
+void HttpCache::recordFailure(const Fault& why) {
   qCInfo(lcCache, "%s", inEnglish(why).c_str());
   const std::lock_guard lock(mutex_);
   if (untold_) return;  // already in progress

@@ -99,8 +99,8 @@ class HttpCache {
   std::optional<Record> read(const QUrl& url);
   void keep(const QByteArray& name, Record record);
   void change(const QByteArray& name, std::optional<Record> record);
-  void write(const QByteArray& name);  // on the writer's thread
-  void noteFailure(const Fault& why);  // on the writer's thread
+  void write(const QByteArray& name);    // on the writer's thread
+  void recordFailure(const Fault& why);  // on the writer's thread
   void tell();
 
   const Now now_;

@@ -98,7 +98,7 @@ bool neverConnected(QNetworkReply::NetworkError error) {
 
 QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
 
-Fault whyUnreachable(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
+Fault unreachableReason(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
   switch (error) {
     case QNetworkReply::ConnectionRefusedError:
       return faultOf(fault::ConnectionRefused, {hostAndPort(url)});
@@ -226,7 +226,7 @@ HttpAnswer failure(HttpAnswer::Kind kind, Fault reason) {
 /// For a request without a status: why, in the words of the reply.
 HttpAnswer unreachable(const HttpJob& job) {
   return failure(HttpAnswer::Kind::Unreachable,
-                 whyUnreachable(job.network_reply->error(), job.network_reply->errorString(), job.url));
+                 unreachableReason(job.network_reply->error(), job.network_reply->errorString(), job.url));
 }
 
 HttpAnswer tooLarge(const HttpJob& job) {
@@ -409,11 +409,11 @@ class HttpClient::Impl {
     job.upload->setParent(job.network_reply);
     job.heard_sent = false;
     QObject::connect(job.network_reply, &QNetworkReply::uploadProgress, owner_,
-                     [this, id](qint64 sent, qint64 total) { noteSent(id, sent, total); });
+                     [this, id](qint64 sent, qint64 total) { onSent(id, sent, total); });
     job.network_reply->setReadBufferSize(kReadAhead);
     QObject::connect(job.network_reply, &QNetworkReply::metaDataChanged, owner_,
                      [this, id] { checkHeaders(id); });
-    QObject::connect(job.network_reply, &QNetworkReply::readyRead, owner_, [this, id] { takeBytes(id); });
+    QObject::connect(job.network_reply, &QNetworkReply::readyRead, owner_, [this, id] { onBytes(id); });
     QObject::connect(job.network_reply, &QNetworkReply::finished, owner_, [this, id] { conclude(id); });
     // Both are emitted before anything is sent, so a secret never reaches an untrusted server.
     QObject::connect(job.network_reply, &QNetworkReply::sslErrors, owner_,
@@ -451,7 +451,7 @@ class HttpClient::Impl {
     }
   }
 
-  void noteSent(RequestId id, qint64 bytes, qint64 total) {
+  void onSent(RequestId id, qint64 bytes, qint64 total) {
     HttpJob* job = active(id);
     if (job == nullptr) {
       return;
@@ -480,7 +480,7 @@ class HttpClient::Impl {
   }
 
   /// False if the job has ended.
-  bool takeBytes(RequestId id) {
+  bool onBytes(RequestId id) {
     HttpJob* job = active(id);
     if (job == nullptr || job->network_reply == nullptr) {
       return false;
@@ -523,7 +523,7 @@ class HttpClient::Impl {
   }
 
   void conclude(RequestId id) {
-    if (!takeBytes(id)) {
+    if (!onBytes(id)) {
       return;
     }
     HttpJob& job = *active(id);

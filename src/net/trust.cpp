@@ -46,7 +46,7 @@ QString nameOf(const QSslCertificate& certificate) {
 }
 
 /// What is wrong with `leaf`; in the words of the library where this program has none.
-Fault whyRejected(const QSslCertificate& leaf, const QSslError& error) {
+Fault rejectedReason(const QSslCertificate& leaf, const QSslError& error) {
   switch (error.error()) {
     case QSslError::CertificateExpired:
       if (error.certificate() == leaf) return faultOf(fault::CertificateExpired, {day(leaf.expiryDate())});
@@ -124,7 +124,7 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
   if (pinned && sha256 != trust.pinned_sha256) whys.push_back(fault::CertificateIsAnother);
   QList<QSslError::SslError> told;
   for (const QSslError& error : errors) {
-    Fault why = whyRejected(leaf, error);
+    Fault why = rejectedReason(leaf, error);
     // For the pinned certificate itself no error counts, except revocation.
     if (pinned && why.code != fault::CertificateWithdrawn) continue;
     if (!told.contains(error.error()) && !contains(whys, why.code)) whys.push_back(std::move(why));

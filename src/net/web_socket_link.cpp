@@ -45,7 +45,7 @@ bool isForeignAnswer(QAbstractSocket::SocketError error, const QString& error_te
          error_text.contains(QLatin1String("QWebSocket"));
 }
 
-Fault whyNotConnected(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
+Fault notConnectedReason(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
   if (isForeignAnswer(error, error_text)) {
     return faultOf(faultText("net", "%1 does not answer as a WebSocket"), {hostAndPort(url)});
   }
@@ -164,7 +164,7 @@ void WebSocketLink::connectSocket() {
   connect(socket_, &QWebSocket::connected, this, &WebSocketLink::becomeOpen);
   connect(socket_, &QWebSocket::disconnected, this, &WebSocketLink::loseConnection);
   connect(socket_, QOverload<QAbstractSocket::SocketError>::of(&QWebSocket::error), this,
-          &WebSocketLink::takeError);
+          &WebSocketLink::onError);
   connect(socket_, &QWebSocket::pong, this, [this](quint64 elapsed_ms) {
     round_trip_ms_ = int(elapsed_ms);
     Q_EMIT changed();
@@ -172,9 +172,9 @@ void WebSocketLink::connectSocket() {
   // A message may have several frames; each leaves the transport when it is complete.
   frames_bytes_ = 0;
   connect(socket_, &QWebSocket::textFrameReceived, this,
-          [this](const QString& text, bool last) { noteFrame(text.size(), last); });
+          [this](const QString& text, bool last) { onFrame(text.size(), last); });
   connect(socket_, &QWebSocket::binaryFrameReceived, this,
-          [this](const QByteArray& bytes, bool last) { noteFrame(bytes.size(), last); });
+          [this](const QByteArray& bytes, bool last) { onFrame(bytes.size(), last); });
   connect(socket_, &QWebSocket::textMessageReceived, this,
           [this](const QString& text) { Q_EMIT textReceived(text.toUtf8()); });
   connect(socket_, &QWebSocket::binaryMessageReceived, this,
@@ -211,7 +211,7 @@ void WebSocketLink::watchTransport() {
   }
 }
 
-void WebSocketLink::noteFrame(qint64 bytes, bool last) { frames_bytes_ = last ? 0 : frames_bytes_ + bytes; }
+void WebSocketLink::onFrame(qint64 bytes, bool last) { frames_bytes_ = last ? 0 : frames_bytes_ + bytes; }
 
 void WebSocketLink::judge(QSslSocket& encrypted, const QList<QSslError>& errors) {
   certificate_ = faultOf(trust_, encrypted.peerCertificate(), errors, urls_.at(url_));
@@ -267,7 +267,7 @@ void WebSocketLink::hear() {
   }
 }
 
-void WebSocketLink::noteSilence(std::chrono::milliseconds now) {
+void WebSocketLink::onSilence(std::chrono::milliseconds now) {
   const auto silent = now - heard_at_;
   if (talks_ && !asked_at_ && silent >= options_.ask_after) {
     ping();
@@ -277,12 +277,12 @@ void WebSocketLink::noteSilence(std::chrono::milliseconds now) {
   if (silent_since_ || !asked_at_ || silent < options_.quiet_after || now - *asked_at_ < bears) {
     return;
   }
-  noteLastByte();
+  onLastByte();
   qCInfo(lcNet, "%s: nothing has come for %lld ms", name().constData(), (long long)(silent.count()));
   Q_EMIT changed();
 }
 
-void WebSocketLink::noteLastByte() {
+void WebSocketLink::onLastByte() {
   if (!silent_since_) {
     silent_since_ = options_.wall().addMSecs(-qint64(silence().count()));
   }
@@ -298,11 +298,11 @@ void WebSocketLink::look() {
   if (now - heard_at_ > options_.silent_after) {
     fail(Failure::TimedOut, noAnswer(options_.silent_after));
   } else {
-    noteSilence(now);
+    onSilence(now);
   }
 }
 
-void WebSocketLink::takeError(QAbstractSocket::SocketError error) {
+void WebSocketLink::onError(QAbstractSocket::SocketError error) {
   if (state_ == State::Open) {
     return;  // `disconnected` follows and knows more
   }
@@ -327,7 +327,7 @@ void WebSocketLink::takeError(QAbstractSocket::SocketError error) {
     return;
   }
   fail(isForeignAnswer(error, text) ? Failure::NotAWebSocket : Failure::Unreachable,
-       whyNotConnected(error, text, urls_.at(url_)));
+       notConnectedReason(error, text, urls_.at(url_)));
 }
 
 void WebSocketLink::loseConnection() {
@@ -337,7 +337,7 @@ void WebSocketLink::loseConnection() {
         socket_,
         [this, lost = socket_] {
           if (lost == socket_) {
-            takeError(socket_->error());
+            onError(socket_->error());
           }
         },
         Qt::QueuedConnection);
@@ -366,7 +366,7 @@ void WebSocketLink::fail(Failure failure, const Fault& reason) {
   failure_ = failure;
   reason_ = reason;
   if (state_ == State::Open) {
-    noteLastByte();
+    onLastByte();
   }
   dropSocket();
   const auto wait = backoff_.next();

@@ -102,15 +102,15 @@ class WebSocketLink : public QObject {
   /// QWebSocket only reports complete frames, and a large one may take minutes on a slow connection. The
   /// socket that it reads from is its child, and reports every byte received, decrypted.
   void watchTransport();
-  void noteFrame(qint64 bytes, bool last);
+  void onFrame(qint64 bytes, bool last);
   void judge(QSslSocket& encrypted, const QList<QSslError>& errors);
   void becomeOpen();
   void ping();
   void hear();
-  void noteSilence(std::chrono::milliseconds now);
-  void noteLastByte();
+  void onSilence(std::chrono::milliseconds now);
+  void onLastByte();
   void look();
-  void takeError(QAbstractSocket::SocketError error);
+  void onError(QAbstractSocket::SocketError error);
   void loseConnection();
   /// Automatic retries would not help.
   void refuse(Failure failure, const Fault& reason);

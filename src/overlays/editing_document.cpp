@@ -252,7 +252,7 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
   for (const auto& key : keys) base_keys_.push_back(*key);
 }
 
-void EditingDocument::noteSaved() {
+void EditingDocument::markSaved() {
   std::vector<FeatureKey> keys = keysOfMine();
   base_ = mine();
   base_keys_ = std::move(keys);
@@ -300,7 +300,7 @@ std::optional<std::string> EditingDocument::theirsOf(const Conflict& conflict) c
   return theirs ? partOf(*theirs, conflict.second) : std::nullopt;
 }
 
-void EditingDocument::takeTheirs(const Conflict& conflict) {
+void EditingDocument::useTheirs(const Conflict& conflict) {
   const auto& [key, part] = conflict;
   const Version &mine = find(key), &theirs = findBase(key);
   Version after = theirs;
@@ -331,7 +331,7 @@ OverlayDocument EditingDocument::draftBase() const {
   return document;
 }
 
-void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine) {
+void EditingDocument::restoreDraft(const OverlayDocument& old_base, const OverlayDocument& old_mine) {
   // As if it had been done before they changed theirs.
   EditingDocument old(old_base);
   old.change(old.editsTo(old_mine));

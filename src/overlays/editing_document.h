@@ -72,7 +72,7 @@ class EditingDocument {
   /// both changed differently becomes a conflict.
   void rebase(const OverlayDocument& theirs);
   /// The robot holds what is here now.
-  void noteSaved();
+  void markSaved();
 
   /// Features that others changed since the document was opened or saved.
   const std::set<FeatureKey>& changedThere() const { return changed_there_; }
@@ -89,13 +89,13 @@ class EditingDocument {
   /// Mine stays, and replaces theirs when it is saved.
   void keepMine(const Conflict& conflict) { met_.erase(conflict); }
   /// Theirs is taken, which is a step that can be undone.
-  void takeTheirs(const Conflict& conflict);
+  void useTheirs(const Conflict& conflict);
 
-  /// What mine() has to be taken up on (takeUp()) so that nothing is lost of either: the base, with what was
-  /// there before they changed what is in conflict.
+  /// What mine() has to be taken up on (restoreDraft()) so that nothing is lost of either: the base, with
+  /// what was there before they changed what is in conflict.
   OverlayDocument draftBase() const;
   /// Changes that were made to an older state of the robot's: one step. What fits no more becomes a conflict.
-  void takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine);
+  void restoreDraft(const OverlayDocument& old_base, const OverlayDocument& old_mine);
 
  private:
   void apply(const std::vector<FeatureEdit>& edits, bool forward);

@@ -316,7 +316,7 @@ OverlayMerge merge(const OverlayDocument& base, const OverlayDocument& mine, con
     told.mine = document.mineOf(conflict);
     told.theirs = document.theirsOf(conflict);
   }
-  for (const auto& conflict : conflicts) document.takeTheirs(conflict);
+  for (const auto& conflict : conflicts) document.useTheirs(conflict);
   merge.document = document.mine();
   return merge;
 }

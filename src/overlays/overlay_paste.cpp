@@ -27,7 +27,8 @@ bool isGeometry(const std::string& type) {
 constexpr std::size_t kShapes = std::size_t(Shape::Other) + 1;
 
 /// Nothing is lost when it is pasted. `number` counts from 1.
-std::optional<Fault> whyNot(const JsonValue& written, const Feature& feature, std::int64_t number) {
+std::optional<Fault> unavailableReason(const JsonValue& written, const Feature& feature,
+                                       std::int64_t number) {
   if (!written.isObject())
     return Fault(faultText("overlays", "number %1 in the list is no feature"), {number});
   const auto geometry = written.member("geometry");
@@ -65,7 +66,7 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
   if (isGeometry(type)) {
     const Feature feature(R"({"type": "Feature", "geometry": )" + std::string(root.text()) +
                           R"(, "properties": {}})");
-    if (const auto why = whyNot(feature.root(), feature, 1)) return tl::make_unexpected(*why);
+    if (const auto why = unavailableReason(feature.root(), feature, 1)) return tl::make_unexpected(*why);
     if (!shapesOf(feature).somewhere()) return tl::make_unexpected(Fault(fault::PastedWithoutPlace, {1}));
     return std::vector<Feature>{feature};
   }
@@ -87,7 +88,7 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
   features.reserve(written.size());
   for (const JsonValue& value : written) {
     Feature feature{JsonText::of(value)};
-    if (const auto why = whyNot(value, feature, std::int64_t(features.size()) + 1))
+    if (const auto why = unavailableReason(value, feature, std::int64_t(features.size()) + 1))
       return tl::make_unexpected(*why);
     features.push_back(std::move(feature));
   }

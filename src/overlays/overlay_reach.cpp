@@ -291,7 +291,7 @@ class Reach {
 std::vector<std::size_t> unreachable(const OverlayDocument& document, const placing::PlacedMap& map,
                                      double radius_m) {
   std::vector<std::size_t> found;
-  if (!map.cells || map::whyUnusable(map.reference)) return found;
+  if (!map.cells || map::unusableReason(map.reference)) return found;
   const Reach reach(document, map, radius_m);
   if (!reach.anyCharger()) return found;
   const std::vector<Feature>& features = document.features();
@@ -305,7 +305,7 @@ std::vector<std::size_t> unreachable(const OverlayDocument& document, const plac
 
 std::optional<Way> wayTo(std::size_t feature, const OverlayDocument& document, const placing::PlacedMap& map,
                          double radius_m) {
-  if (!map.cells || map::whyUnusable(map.reference) || feature >= document.features().size())
+  if (!map.cells || map::unusableReason(map.reference) || feature >= document.features().size())
     return std::nullopt;
   const auto at = shapesOf(document.features()[feature]).somewhere();
   if (!at) return std::nullopt;

@@ -37,7 +37,7 @@ bool coarseTells(const grids::GridPyramid& cells, const std::array<bool, 256>& o
 }  // namespace
 
 Ground::Ground(PlacedMap map, Access access) : map_(std::move(map)), access_(access) {
-  usable_ = map_.cells && !map::whyUnusable(map_.reference) && map_.reference.width > 0 &&
+  usable_ = map_.cells && !map::unusableReason(map_.reference) && map_.reference.width > 0 &&
             map_.reference.height > 0;
   if (!usable_) return;
   const grids::CellMeaning& meaning = grids::meaningOf(map_.cells->code());

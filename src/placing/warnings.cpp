@@ -70,7 +70,7 @@ std::vector<std::size_t> inOrder(const std::vector<Eigen::Vector2d>& places_m,
 std::vector<std::vector<std::size_t>> groupsOf(const std::vector<Eigen::Vector2d>& places_m,
                                                const map::GridReference& reference, std::size_t most) {
   std::vector<std::vector<std::size_t>> groups;
-  const bool usable = !map::whyUnusable(reference);
+  const bool usable = !map::unusableReason(reference);
   std::vector<std::size_t> order;
   if (usable) {
     order = inOrder(places_m, reference);

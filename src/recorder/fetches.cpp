@@ -94,7 +94,7 @@ std::size_t SubmapRequests::missing() const {
 Fetches::Fetches(robot::Robot& robot, SubmapRequests::Which submaps, Keep keep,
                  std::function<std::int64_t()> now_ns)
     : robot_(&robot), submaps_(submaps), keep_(std::move(keep)), now_ns_(std::move(now_ns)) {
-  connect(&robot, &robot::Robot::topicReceived, this, &Fetches::takeTopic);
+  connect(&robot, &robot::Robot::topicReceived, this, &Fetches::onTopic);
   connect(&robot, &robot::Robot::mapsChanged, this, &Fetches::askMaps);
   connect(&robot, &robot::Robot::capabilitiesChanged, this, &Fetches::askMaps);
   connect(&robot, &robot::Robot::connectionChanged, this, &Fetches::askMaps);
@@ -115,11 +115,11 @@ Fetches::~Fetches() {
   }
 }
 
-void Fetches::takeTopic(const map::StampedMessage& stamped) {
-  if (const auto* const list = std::get_if<map::SubmapList>(&stamped.message)) takeList(*list);
+void Fetches::onTopic(const map::StampedMessage& stamped) {
+  if (const auto* const list = std::get_if<map::SubmapList>(&stamped.message)) onList(*list);
 }
 
-void Fetches::takeList(const map::SubmapList& list) {
+void Fetches::onList(const map::SubmapList& list) {
   submaps_.take(list, now_ns_());
   pump();
 }
@@ -156,7 +156,7 @@ void Fetches::askMaps() {
         self->asking_ = false;
         if (entries) {
           self->listed_ = *entries;
-          self->takeMaps(*entries);
+          self->onMaps(*entries);
         } else {
           Q_EMIT self->notHad(entries.error());
         }
@@ -167,13 +167,13 @@ void Fetches::askMaps() {
 void Fetches::wantMap(const map::MapKey& key) {
   if (key.kind == map::MapKind::Live || !wanted_.try_emplace(key).second) return;
   if (listed_) {
-    takeMaps(*listed_);
+    onMaps(*listed_);
   } else {
     askMap(key);
   }
 }
 
-void Fetches::takeMaps(const std::vector<map::CatalogueEntry>& entries) {
+void Fetches::onMaps(const std::vector<map::CatalogueEntry>& entries) {
   for (const map::CatalogueEntry& entry : entries) {
     // Live maps come by topic.
     if (entry.is_current && entry.key.kind != map::MapKind::Live) wanted_.try_emplace(entry.key);

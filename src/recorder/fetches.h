@@ -74,7 +74,7 @@ class Fetches : public QObject {
   /// changes. Live maps come by topic.
   void wantMap(const map::MapKey& key);
   /// The submaps listed before the recording began.
-  void takeList(const map::SubmapList& list);
+  void onList(const map::SubmapList& list);
   std::size_t submapsMissing() const { return submaps_.missing(); }
 
  Q_SIGNALS:
@@ -82,10 +82,10 @@ class Fetches : public QObject {
   void notHad(const mapwright::map::Failure& failure);
 
  private:
-  void takeTopic(const map::StampedMessage& stamped);
+  void onTopic(const map::StampedMessage& stamped);
   void pump();
   void askMaps();
-  void takeMaps(const std::vector<map::CatalogueEntry>& entries);
+  void onMaps(const std::vector<map::CatalogueEntry>& entries);
   void askMap(const map::MapKey& key);
   void keepMap(const map::WholeMap& map);
   void askPlaces(const map::MapKey& key, std::vector<map::OverlayFeature> overlays);

@@ -90,8 +90,8 @@ void Recorder::begin() {
   thread_ = std::thread([this] { run(); });
   tell();
   connect(robot_.data(), &robot::Robot::identityChanged, this, &Recorder::tell);
-  takeLink();
-  connect(robot_.data(), &robot::Robot::connectionChanged, this, &Recorder::takeLink);
+  onLink();
+  connect(robot_.data(), &robot::Robot::connectionChanged, this, &Recorder::onLink);
   if (robot::Delivers* const delivers = robot::deliversOf(*robot_)) {
     delivers->setDeliveryTap([queue = queue_, started_ns = started_ns_](const robot::Delivery& delivery) {
       queue->put(entryOf(delivery, started_ns), delivery.bytes);
@@ -135,7 +135,7 @@ void Recorder::putMetadata(const char* name, recording::Values values) {
   queue_->put(std::move(entry), {});
 }
 
-void Recorder::takeLink() {
+void Recorder::onLink() {
   if (!robot_) return;
   const bool online = robot_->connection().phase == robot::ConnectionPhase::Online;
   was_online_ |= online;

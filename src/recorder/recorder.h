@@ -74,7 +74,7 @@ class Recorder : public QObject {
   void tell();
   void putMetadata(const char* name, recording::Values values);
   /// Records when the connection was lost and restored.
-  void takeLink();
+  void onLink();
   void run();
   void publish();
 

@@ -274,7 +274,7 @@ std::uint64_t ChunkedSource::scan(std::uint64_t from, std::uint64_t to) {
   Window window(*bytes_);
   while (from < to) {
     std::uint64_t past = from;
-    const Step step = takeRecord(window, from, to, past);
+    const Step step = readRecord(window, from, to, past);
     if (step == Step::CutOff) break;
     if (step == Step::DataEnds) {
       settleChunk(false);

@@ -91,7 +91,7 @@ class ChunkedSource : public Source {
     DataEnds,  // and the file is complete
   };
   /// While scanning: takes the record at `from`, which ends at `past`.
-  virtual Step takeRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) = 0;
+  virtual Step readRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) = 0;
   /// Where the next intact chunk begins; `to`: nowhere.
   virtual std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const = 0;
   /// Forgets everything and scans the file from `start` on.

@@ -50,7 +50,7 @@ class McapReader final : public ChunkedSource {
   std::optional<Packing> packingOf(const ChunkPlace& place) const override;
   tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
   Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
-  Step takeRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
+  Step readRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
   std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const override;
 
  private:
@@ -58,16 +58,16 @@ class McapReader final : public ChunkedSource {
   /// False: there is no usable index, which is noted.
   bool openByIndex(const mcap::Footer& footer, std::uint64_t footer_at);
   bool sumFits(const mcap::Footer& footer, std::uint64_t footer_at) const;
-  bool takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end);
+  bool readChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end);
 
   Step take(Window& window, const McapRecord& record, std::uint64_t to);
-  Step takeChunk(Window& window, const McapRecord& record, std::uint64_t to);
-  Step takeMessage(Window& window, const McapRecord& record);
-  Step takeIndex(Window& window, const McapRecord& record);
-  Step takeAttachment(Window& window, const McapRecord& record);
-  Step takeSmall(const McapRecord& record);
-  void takeSchema(std::span<const std::uint8_t> content, std::uint64_t at);
-  void takeChannel(std::span<const std::uint8_t> content, std::uint64_t at);
+  Step readChunk(Window& window, const McapRecord& record, std::uint64_t to);
+  Step readMessage(Window& window, const McapRecord& record);
+  Step readIndex(Window& window, const McapRecord& record);
+  Step readAttachment(Window& window, const McapRecord& record);
+  Step readSmall(const McapRecord& record);
+  void readSchema(std::span<const std::uint8_t> content, std::uint64_t at);
+  void readChannel(std::span<const std::uint8_t> content, std::uint64_t at);
   void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
 
   std::map<std::uint16_t, mcap::Schema> schemas_;
@@ -126,9 +126,9 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
     const auto content = in.take(in.number<std::uint64_t>());
     if (!in.sound()) return unusable();
     if (op == Op::Schema) {
-      takeSchema(content, at);
+      readSchema(content, at);
     } else if (op == Op::Channel) {
-      takeChannel(content, at);
+      readChannel(content, at);
     } else if (op == Op::Statistics) {
       statistics = mcap::read<mcap::Statistics>(content);
     } else if (op == Op::ChunkIndex) {
@@ -141,7 +141,7 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
     notes_.add(NoteCode::NoIndex, start);
     return false;
   }
-  if (!takeChunkIndexes(indexes, start)) return unusable();
+  if (!readChunkIndexes(indexes, start)) return unusable();
   findChannels();
   for (std::size_t i = 0; i < chunks().size(); ++i) {
     if (chunks()[i].first_ns > chunks()[i].last_ns) lookInto(i);
@@ -162,7 +162,7 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
 }
 
 /// Also scans what lies between the chunks: attachments, metadata, and messages outside of any chunk.
-bool McapReader::takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end) {
+bool McapReader::readChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end) {
   std::sort(indexes.begin(), indexes.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
   std::vector<std::pair<std::uint64_t, std::uint64_t>> gaps;
   std::uint64_t past = mcap::kMagic.size();
@@ -205,7 +205,7 @@ bool McapReader::takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::u
   return true;
 }
 
-void McapReader::takeSchema(std::span<const std::uint8_t> content, std::uint64_t at) {
+void McapReader::readSchema(std::span<const std::uint8_t> content, std::uint64_t at) {
   auto schema = mcap::read<mcap::Schema>(content);
   if (!schema || schema->id == 0) {
     notes_.add(NoteCode::RecordCorrupt, at);
@@ -215,7 +215,7 @@ void McapReader::takeSchema(std::span<const std::uint8_t> content, std::uint64_t
   schemas_.emplace(id, std::move(*schema));
 }
 
-void McapReader::takeChannel(std::span<const std::uint8_t> content, std::uint64_t at) {
+void McapReader::readChannel(std::span<const std::uint8_t> content, std::uint64_t at) {
   auto record = mcap::read<mcap::ChannelRecord>(content);
   if (!record) {
     notes_.add(NoteCode::RecordCorrupt, at);
@@ -300,9 +300,9 @@ void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
         notes_.add(NoteCode::TimeUnusable, place.offset);
       }
     } else if (op == Op::Schema) {
-      takeSchema(content, place.offset);
+      readSchema(content, place.offset);
     } else if (op == Op::Channel) {
-      takeChannel(content, place.offset);
+      readChannel(content, place.offset);
     }
   }
 }
@@ -361,7 +361,7 @@ bool leadsOn(Window& window, const McapRecord& record, std::uint64_t to) {
   return isKnownOp(op) || (op != 0 && length <= to - record.end() - mcap::kRecordHead);
 }
 
-ChunkedSource::Step McapReader::takeRecord(Window& window, std::uint64_t from, std::uint64_t to,
+ChunkedSource::Step McapReader::readRecord(Window& window, std::uint64_t from, std::uint64_t to,
                                            std::uint64_t& past) {
   const auto start = window.look(from, mcap::kRecordHead, to);
   if (start.size() != mcap::kRecordHead) return Step::CutOff;
@@ -375,7 +375,7 @@ ChunkedSource::Step McapReader::takeRecord(Window& window, std::uint64_t from, s
 ChunkedSource::Step McapReader::take(Window& window, const McapRecord& record, std::uint64_t to) {
   const bool whole = record.length <= to - record.content();
   if (record.op != Op::MessageIndex) settleChunk(false);
-  if (record.op == Op::Chunk) return takeChunk(window, record, to);
+  if (record.op == Op::Chunk) return readChunk(window, record, to);
   if (!whole) {
     // A length beyond the end belongs to the last, truncated record, or is invalid. An attachment or a
     // message may be large, but not larger than the reading limit.
@@ -386,16 +386,16 @@ ChunkedSource::Step McapReader::take(Window& window, const McapRecord& record, s
   }
   switch (record.op) {
     case Op::Message:
-      return takeMessage(window, record);
+      return readMessage(window, record);
     case Op::MessageIndex:
-      return takeIndex(window, record);
+      return readIndex(window, record);
     case Op::Attachment:
-      return takeAttachment(window, record);
+      return readAttachment(window, record);
     case Op::Header:
     case Op::Schema:
     case Op::Channel:
     case Op::Metadata:
-      return takeSmall(record);
+      return readSmall(record);
     case Op::DataEnd:
       return record.length >= 4 && record.length <= 64 ? Step::DataEnds : Step::NoRecord;
     case Op::Footer:
@@ -405,7 +405,7 @@ ChunkedSource::Step McapReader::take(Window& window, const McapRecord& record, s
   }
 }
 
-ChunkedSource::Step McapReader::takeChunk(Window& window, const McapRecord& record, std::uint64_t to) {
+ChunkedSource::Step McapReader::readChunk(Window& window, const McapRecord& record, std::uint64_t to) {
   const auto least = std::min<std::uint64_t>(record.length, mcap::kMostChunkHead);
   const auto content = window.look(record.content(), std::size_t(least), to);
   const std::optional<mcap::ChunkHead> head = mcap::chunkHeadIn(content, record.length);
@@ -424,7 +424,7 @@ ChunkedSource::Step McapReader::takeChunk(Window& window, const McapRecord& reco
   return Step::Taken;
 }
 
-ChunkedSource::Step McapReader::takeIndex(Window& window, const McapRecord& record) {
+ChunkedSource::Step McapReader::readIndex(Window& window, const McapRecord& record) {
   ByteReader in(window.look(record.content(), 6, record.end()));
   const auto channel = in.number<std::uint16_t>();
   const auto bytes = in.number<std::uint32_t>();
@@ -436,7 +436,7 @@ ChunkedSource::Step McapReader::takeIndex(Window& window, const McapRecord& reco
   return Step::Taken;
 }
 
-ChunkedSource::Step McapReader::takeMessage(Window& window, const McapRecord& record) {
+ChunkedSource::Step McapReader::readMessage(Window& window, const McapRecord& record) {
   ByteReader in(window.look(record.content(), mcap::kMessageHead, record.end()));
   const auto channel = in.number<std::uint16_t>();
   in.number<std::uint32_t>();
@@ -451,7 +451,7 @@ ChunkedSource::Step McapReader::takeMessage(Window& window, const McapRecord& re
   return Step::Taken;
 }
 
-ChunkedSource::Step McapReader::takeAttachment(Window& window, const McapRecord& record) {
+ChunkedSource::Step McapReader::readAttachment(Window& window, const McapRecord& record) {
   // Names are short; one that does not fit into the window is ignored.
   ByteReader in(window.look(record.content(),
                             std::size_t(std::min<std::uint64_t>(record.length, Window::kMostInView)),
@@ -468,7 +468,7 @@ ChunkedSource::Step McapReader::takeAttachment(Window& window, const McapRecord&
   return Step::Taken;
 }
 
-ChunkedSource::Step McapReader::takeSmall(const McapRecord& record) {
+ChunkedSource::Step McapReader::readSmall(const McapRecord& record) {
   if (record.length > limits_.most_record_bytes) {
     notes_.add(NoteCode::RecordTooLarge, record.at);
     return Step::Taken;
@@ -476,9 +476,9 @@ ChunkedSource::Step McapReader::takeSmall(const McapRecord& record) {
   const std::optional<UnpackedChunk> content = raw(record.content(), record.length);
   if (!content) return Step::CutOff;
   if (record.op == Op::Schema) {
-    takeSchema(content->all(), record.at);
+    readSchema(content->all(), record.at);
   } else if (record.op == Op::Channel) {
-    takeChannel(content->all(), record.at);
+    readChannel(content->all(), record.at);
   } else if (record.op == Op::Header) {
     const auto header = mcap::read<mcap::Header>(content->all());
     if (!header) return Step::NoRecord;

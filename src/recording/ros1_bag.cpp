@@ -121,7 +121,7 @@ class Ros1Bag final : public ChunkedSource {
   std::optional<Packing> packingOf(const ChunkPlace& place) const override;
   tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
   Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
-  Step takeRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
+  Step readRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
   std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const override;
 
  private:
@@ -130,9 +130,9 @@ class Ros1Bag final : public ChunkedSource {
   bool openByIndex();
   std::optional<ChunkPlace> infoIn(const BagRecord& record) const;
   Step take(const BagRecord& record);
-  Step takeMessage(const BagRecord& record);
-  Step takeIndex(const BagRecord& record);
-  Step takeConnection(const BagRecord& record);
+  Step readMessage(const BagRecord& record);
+  Step readIndex(const BagRecord& record);
+  Step readConnection(const BagRecord& record);
   void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
 
   std::uint64_t start_ = kBagMagic.size();  // after the header of the bag
@@ -231,7 +231,7 @@ bool Ros1Bag::openByIndex() {
     const std::optional<BagRecord> record = recordAt(window, at, size, cut);
     if (!record) return unusable();
     if (record->op == BagOp::Connection) {
-      if (takeConnection(*record) != Step::Taken) return unusable();
+      if (readConnection(*record) != Step::Taken) return unusable();
       ++connections;
     } else if (record->op == BagOp::ChunkInfo) {
       std::optional<ChunkPlace> place = infoIn(*record);
@@ -339,7 +339,7 @@ Message Ros1Bag::read(const UnpackedChunk& chunk, const ChunkEntry& entry) const
   return message;
 }
 
-ChunkedSource::Step Ros1Bag::takeRecord(Window& window, std::uint64_t from, std::uint64_t to,
+ChunkedSource::Step Ros1Bag::readRecord(Window& window, std::uint64_t from, std::uint64_t to,
                                         std::uint64_t& past) {
   bool cut = false;
   const std::optional<BagRecord> record = recordAt(window, from, to, cut);
@@ -354,11 +354,11 @@ ChunkedSource::Step Ros1Bag::takeRecord(Window& window, std::uint64_t from, std:
 ChunkedSource::Step Ros1Bag::take(const BagRecord& record) {
   switch (record.op) {
     case BagOp::Message:
-      return takeMessage(record);
+      return readMessage(record);
     case BagOp::Index:
-      return takeIndex(record);
+      return readIndex(record);
     case BagOp::Connection:
-      return takeConnection(record);
+      return readConnection(record);
     case BagOp::Chunk: {
       ChunkPlace place;
       place.offset = record.at;
@@ -376,7 +376,7 @@ ChunkedSource::Step Ros1Bag::take(const BagRecord& record) {
   return Step::NoRecord;
 }
 
-ChunkedSource::Step Ros1Bag::takeConnection(const BagRecord& record) {
+ChunkedSource::Step Ros1Bag::readConnection(const BagRecord& record) {
   if (record.data_size > limits_.most_record_bytes) {
     notes_.add(NoteCode::RecordTooLarge, record.at);
     return Step::Taken;
@@ -389,7 +389,7 @@ ChunkedSource::Step Ros1Bag::takeConnection(const BagRecord& record) {
   return Step::Taken;
 }
 
-ChunkedSource::Step Ros1Bag::takeIndex(const BagRecord& record) {
+ChunkedSource::Step Ros1Bag::readIndex(const BagRecord& record) {
   const BagFields fields = record.fields();
   const auto channel = fields.number<std::uint32_t>("conn");
   const auto count = fields.number<std::uint32_t>("count");
@@ -411,7 +411,7 @@ ChunkedSource::Step Ros1Bag::takeIndex(const BagRecord& record) {
 }
 
 /// Messages outside of chunks: nobody writes them, but the format allows it.
-ChunkedSource::Step Ros1Bag::takeMessage(const BagRecord& record) {
+ChunkedSource::Step Ros1Bag::readMessage(const BagRecord& record) {
   const BagFields fields = record.fields();
   const auto channel = fields.number<std::uint32_t>("conn");
   const auto time = fields.time("time");

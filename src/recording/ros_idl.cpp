@@ -37,7 +37,7 @@ class Tokens {
     return taken;
   }
   bool is(std::string_view text) const { return now_.kind != Token::Kind::Text && now_.text == text; }
-  bool takeIf(std::string_view text) {
+  bool skipIf(std::string_view text) {
     const bool is_it = is(text);
     if (is_it) advance();
     return is_it;
@@ -143,7 +143,7 @@ class IdlReader {
     if (!fault_) fault_ = IdlFault{code, in_.now().line, std::string(in_.now().text.substr(0, 200))};
   }
   void expect(std::string_view mark) {
-    if (!in_.takeIf(mark)) fail();
+    if (!in_.skipIf(mark)) fail();
   }
   std::string word() {
     if (in_.now().kind != Token::Kind::Word) fail();
@@ -152,10 +152,10 @@ class IdlReader {
 
   /// @name, @name(…), any number of them.
   void annotations() {
-    while (in_.takeIf("@")) {
+    while (in_.skipIf("@")) {
       word();
-      while (in_.takeIf("::")) word();
-      if (in_.takeIf("(")) skipTo(")", "(");
+      while (in_.skipIf("::")) word();
+      if (in_.skipIf("(")) skipTo(")", "(");
     }
   }
   /// Behind the mark that closes what `opening` has opened.
@@ -173,26 +173,26 @@ class IdlReader {
   void declaration(const std::string& scope, std::size_t depth) {
     if (depth > kDeepestIdl) return fail(IdlFault::Code::TooLong);
     annotations();
-    if (in_.takeIf("module")) {
+    if (in_.skipIf("module")) {
       const std::string own = inside(scope, word());
       expect("{");
       while (!fault_ && !in_.is("}") && in_.now().kind != Token::Kind::End) declaration(own, depth + 1);
       expect("}");
-      in_.takeIf(";");
-    } else if (in_.takeIf("struct")) {
+      in_.skipIf(";");
+    } else if (in_.skipIf("struct")) {
       structure(scope);
-    } else if (in_.takeIf("enum")) {
+    } else if (in_.skipIf("enum")) {
       enums_.push_back(inside(scope, word()));
       expect("{");
       skipTo("}", "{");
-      in_.takeIf(";");
-    } else if (in_.takeIf("typedef")) {
+      in_.skipIf(";");
+    } else if (in_.skipIf("typedef")) {
       IdlType type = this->type(scope);
       const std::string name = inside(scope, word());
       dimensions(type, scope);
       expect(";");
       typedefs_[name] = std::move(type);
-    } else if (in_.takeIf("const")) {
+    } else if (in_.skipIf("const")) {
       type(scope);
       const std::string name = inside(scope, word());
       expect("=");
@@ -200,7 +200,7 @@ class IdlReader {
       if (value.kind == Token::Kind::Number) constants_[name] = std::string(value.text);
       while (!in_.is(";") && in_.now().kind != Token::Kind::End) in_.take();
       expect(";");
-    } else if (!in_.takeIf(";")) {
+    } else if (!in_.skipIf(";")) {
       fail();
     }
   }
@@ -218,11 +218,11 @@ class IdlReader {
         dimensions(own, scope);
         made.members.emplace_back(std::move(member), std::move(own));
         if (++members_ > kMostIdlMembers) fail(IdlFault::Code::TooLong);
-      } while (!fault_ && in_.takeIf(","));
+      } while (!fault_ && in_.skipIf(","));
       expect(";");
     }
     expect("}");
-    in_.takeIf(";");
+    in_.skipIf(";");
     // A message without members has one for the wire.
     if (made.members.size() == 1 && made.members.front().first == "structure_needs_at_least_one_member")
       made.members.clear();
@@ -234,7 +234,7 @@ class IdlReader {
     const Token token = in_.take();
     std::string text(token.text);
     if (token.kind == Token::Kind::Word) {
-      while (in_.takeIf("::")) text += "::" + word();
+      while (in_.skipIf("::")) text += "::" + word();
       const auto found =
           resolved(text, scope, [&](const std::string& name) { return constants_.contains(name); });
       text = found ? constants_[*found] : std::string();
@@ -248,7 +248,7 @@ class IdlReader {
 
   /// [3], also several of them: the wire knows their product.
   void dimensions(IdlType& type, const std::string& scope) {
-    while (!fault_ && in_.takeIf("[")) {
+    while (!fault_ && in_.skipIf("[")) {
       const auto length = count(scope);
       if (!length || type.field.many == RosField::Many::Open) return fail();
       const bool more = type.field.many == RosField::Many::Fixed;
@@ -264,21 +264,21 @@ class IdlReader {
     IdlType type;
     type.line = in_.now().line;
     type.scope = scope;
-    if (in_.takeIf("sequence")) {
+    if (in_.skipIf("sequence")) {
       expect("<");
       if (in_.is("sequence")) fail();  // a list of lists has no like in ROS
       if (fault_) return type;
       type = this->type(scope);
       type.field.many = RosField::Many::Open;
-      if (in_.takeIf(",")) count(scope);
+      if (in_.skipIf(",")) count(scope);
       expect(">");
       return type;
     }
-    const bool root = in_.takeIf("::");
+    const bool root = in_.skipIf("::");
     std::string name = word();
     if (!root && (name == "string" || name == "wstring")) {
       type.field.kind = name == "string" ? RosKind::Text : RosKind::WideText;
-      if (in_.takeIf("<")) {
+      if (in_.skipIf("<")) {
         count(scope);
         expect(">");
       }
@@ -287,7 +287,7 @@ class IdlReader {
     const bool is_unsigned = !root && name == "unsigned";
     if (is_unsigned) name = word();
     if (!root && name == "long") {
-      const bool twice = in_.takeIf("long");
+      const bool twice = in_.skipIf("long");
       if (!twice && in_.is("double")) fail();  // no such type in ROS
       type.field.kind = twice ? (is_unsigned ? RosKind::Uint64 : RosKind::Int64)
                               : (is_unsigned ? RosKind::Uint32 : RosKind::Int32);
@@ -309,7 +309,7 @@ class IdlReader {
       type.field.kind = kind;
       return type;
     }
-    while (in_.takeIf("::")) name += "::" + word();
+    while (in_.skipIf("::")) name += "::" + word();
     type.field.kind = RosKind::Nested;
     type.name = std::move(name);
     return type;

@@ -189,7 +189,7 @@ class SqliteBag final : public ChunkedSource {
   }
 
   std::optional<Packing> packingOf(const ChunkPlace&) const override { return std::nullopt; }
-  Step takeRecord(Window&, std::uint64_t, std::uint64_t, std::uint64_t&) override { return Step::DataEnds; }
+  Step readRecord(Window&, std::uint64_t, std::uint64_t, std::uint64_t&) override { return Step::DataEnds; }
   std::uint64_t nextChunk(Window&, std::uint64_t, std::uint64_t to) const override { return to; }
 
  private:

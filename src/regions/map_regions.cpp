@@ -17,7 +17,7 @@ RegionTrouble misplaced(Misfit misfit) { return {RegionTrouble::Kind::Misplaced,
 
 /// A reference with at least the size and position of its cells.
 bool tellsCells(const map::GridReference& grid) {
-  return !map::whyUnusable(grid) && std::isfinite(grid.origin.yaw_rad);
+  return !map::unusableReason(grid) && std::isfinite(grid.origin.yaw_rad);
 }
 
 /// The origin of the squares, aligned with whole tiles. Squares are axis-aligned: for a rotated grid it does
@@ -111,7 +111,7 @@ void MapRegions::place(const RegionRequest& request, const map::GridPart& part, 
   } else {
     plan_.answered(request.id, false, commonGround(grid, request.rect));
   }
-  noteCovered(request, grid);
+  markCovered(request, grid);
 }
 
 bool MapRegions::holdsAnyOf(const geometry::WorldRect& rect) const {
@@ -126,7 +126,7 @@ void MapRegions::forgetOld(const RegionRequest& request, Change& change) {
   if (cells_.forget(own)) change.cells.extend(own);
 }
 
-void MapRegions::noteCovered(const RegionRequest& request, const map::GridReference& grid) {
+void MapRegions::markCovered(const RegionRequest& request, const map::GridReference& grid) {
   const geometry::WorldRect bounds = grid.bounds();
   const RegionLattice& lattice = plan_.lattice();
   if (lattice.countIn(bounds) > kMostCovered) return;

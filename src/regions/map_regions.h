@@ -82,7 +82,7 @@ class MapRegions {
   void place(const RegionRequest& request, const map::GridPart& part, Millis now, Change& change);
   /// If the map has become smaller, nothing of the old one must stay.
   void forgetOld(const RegionRequest& request, Change& change);
-  void noteCovered(const RegionRequest& request, const map::GridReference& grid);
+  void markCovered(const RegionRequest& request, const map::GridReference& grid);
   void keepToBudget(Change& change);
 
   Options options_;

@@ -7,14 +7,14 @@ namespace mapwright::regions {
 
 Misfit RegionCells::misfitOf(const map::GridPart& part) const {
   const map::GridReference& grid = part.grid;
-  if (grid.width < 0 || grid.height < 0 || map::whyUnusable(grid) || !std::isfinite(grid.origin.yaw_rad))
+  if (grid.width < 0 || grid.height < 0 || map::unusableReason(grid) || !std::isfinite(grid.origin.yaw_rad))
     return Misfit::Unusable;
   const std::int64_t count = std::int64_t(grid.width) * grid.height;
   if (count > kMostOfPiece || std::max(grid.width, grid.height) > grids::kMaxGridEdge / 4)
     return Misfit::TooLarge;
   if (!part.cells || std::int64_t(part.cells->size()) < count) return Misfit::FewerCells;
   if (!part.frame.empty() && !frame_.empty() && part.frame != frame_) return Misfit::OtherFrame;
-  if (map::whyUnusable(RegionSheet(grid).reference())) return Misfit::Unusable;
+  if (map::unusableReason(RegionSheet(grid).reference())) return Misfit::Unusable;
   return Misfit::None;
 }
 

@@ -15,7 +15,7 @@ namespace mapwright::regions {
 /// Why a piece cannot be placed.
 enum class Misfit {
   None,
-  Unusable,    // its reference says nothing: map::whyUnusable
+  Unusable,    // its reference says nothing: map::unusableReason
   FewerCells,  // than its width and height say
   OtherFrame,  // than the pieces before it
   TooLarge,    // for one answer

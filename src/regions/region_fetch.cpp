@@ -22,7 +22,7 @@ RegionMap::Options mapOptions(const RegionFetch::Options& options, const geometr
 
 Misfit flawOf(const map::GridPart& part) {
   const map::GridReference& grid = part.grid;
-  if (grid.width <= 0 || grid.height <= 0 || map::whyUnusable(grid)) return Misfit::Unusable;
+  if (grid.width <= 0 || grid.height <= 0 || map::unusableReason(grid)) return Misfit::Unusable;
   const bool all = part.cells && part.cells->size() / std::size_t(grid.width) >= std::size_t(grid.height);
   return all ? Misfit::None : Misfit::FewerCells;
 }

@@ -22,10 +22,10 @@ RegionMap::RegionMap(robot::MapDispatch& dispatch, Options options, QObject* par
   due_.setSingleShot(true);
   connect(&due_, &QTimer::timeout, this, &RegionMap::look);
   connect(dispatch_, &robot::MapDispatch::mapChanged, this, &RegionMap::refresh);
-  connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionMap::takeOffers);
-  connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionMap::takeExtent);
+  connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionMap::onOffers);
+  connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionMap::onExtent);
   was_offered_ = offered();
-  takeExtent();
+  onExtent();
   connect(dispatch_, &QObject::destroyed, this, &RegionMap::look);
 }
 
@@ -56,13 +56,13 @@ void RegionMap::standStill() {
   for (const auto& [id, call] : std::exchange(calls_, {})) call.cancel();
 }
 
-void RegionMap::takeExtent() {
+void RegionMap::onExtent() {
   const auto extent = dispatch_->extent();
   regions_.setExtent(extent ? std::optional(extent->grid) : std::nullopt);
   look();
 }
 
-void RegionMap::takeOffers() {
+void RegionMap::onOffers() {
   if (still_) return;
   const bool was_offered = std::exchange(was_offered_, offered());
   if (was_offered_ && !was_offered) regions_.refresh();

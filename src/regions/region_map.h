@@ -43,7 +43,7 @@ class RegionMap : public QObject {
   /// Freezes the state, whatever is still answered, so that it can be drawn.
   void standStill();
   /// The robot's capabilities have changed: a dispatcher that is back may have another map.
-  void takeOffers();
+  void onOffers();
   /// Sends what is due; called automatically whenever something may have changed.
   void look();
 
@@ -53,7 +53,7 @@ class RegionMap : public QObject {
   void sheetsChanged();  // other sheets, or another order; emitted before cellsChanged()
 
  private:
-  void takeExtent();
+  void onExtent();
   void take(std::uint64_t id, robot::Outcome<map::GridPart> outcome);
 
   QPointer<robot::MapDispatch> dispatch_;

@@ -27,7 +27,7 @@ class RegionSheet final : public grids::GridPyramid {
   /// of this size are whole tiles.
   static constexpr int kStep = 1024;
 
-  /// `piece` must be valid (map::whyUnusable), with cells and a finite rotation.
+  /// `piece` must be valid (map::unusableReason), with cells and a finite rotation.
   explicit RegionSheet(const map::GridReference& piece);
 
   int width() const override { return reference_.width; }
@@ -40,7 +40,7 @@ class RegionSheet final : public grids::GridPyramid {
   int rowsReady() const override { return reference_.height; }
   std::size_t bytes() const override;
 
-  /// The position of the sheet; map::whyUnusable tells whether it can be drawn.
+  /// The position of the sheet; map::unusableReason tells whether it can be drawn.
   const map::GridReference& reference() const { return reference_; }
   /// The origin of the cell lattice nearest to the world origin, in world coordinates.
   const Eigen::Vector2d& zero() const { return zero_; }

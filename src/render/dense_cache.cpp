@@ -71,7 +71,7 @@ std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const cell
   // Outside the lock: expanding takes longest. If two threads do it at the same time, the later result is
   // discarded.
   std::vector<std::uint8_t> spare;
-  auto cells = std::make_shared<const TapCells>(tapCellsOf(texture->expand(level, takeSpare()), &spare));
+  auto cells = std::make_shared<const TapCells>(tapCellsOf(texture->expand(level, reuseSpare()), &spare));
   const std::lock_guard lock(mutex_);
   if (spares_.size() < kMostSpares && spare.capacity() <= kLargestSpare) spares_.push_back(std::move(spare));
   if (index_.contains(key)) return cells;
@@ -86,7 +86,7 @@ std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const cell
   return cells;
 }
 
-std::vector<std::uint8_t> DenseCache::takeSpare() {
+std::vector<std::uint8_t> DenseCache::reuseSpare() {
   const std::lock_guard lock(mutex_);
   if (spares_.empty()) return {};
   std::vector<std::uint8_t> spare = std::move(spares_.back());

@@ -57,7 +57,7 @@ class DenseCache {
   };
   /// Memory for an expansion: allocating a block as large as a texture costs more than filling it. There are
   /// as many as parallel expansions.
-  std::vector<std::uint8_t> takeSpare();
+  std::vector<std::uint8_t> reuseSpare();
 
   std::size_t budget_;
   mutable std::mutex mutex_;

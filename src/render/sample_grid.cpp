@@ -269,7 +269,7 @@ bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
 }
 
 bool drawable(const PixelGrid& grid, const PlacedGrid& placed) {
-  return placed.cells && !map::whyUnusable(placed.reference) && grid.scale_m_per_px > 0 &&
+  return placed.cells && !map::unusableReason(placed.reference) && grid.scale_m_per_px > 0 &&
          std::isfinite(placed.reference.origin.yaw_rad);
 }
 

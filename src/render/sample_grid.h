@@ -30,7 +30,7 @@ inline constexpr std::uint8_t kKnownMean = 16;
 /// A pixel no larger than a cell shows the cell under its centre. A larger one combines all touched cells by
 /// the pyramid's reduction: the highest rank, or the average by area of the known ones (unknown if less than
 /// half the area is known). The pixel is an exact square, rotated as the view is against the grid; a cell is
-/// touched if the two overlap by more than an edge. A grid with invalid numbers (map::whyUnusable) gives
+/// touched if the two overlap by more than an edge. A grid with invalid numbers (map::unusableReason) gives
 /// nothing.
 /// Sampling::Quick reads from a coarser level, so that the area of a large pixel is rounded up by at most
 /// half a pixel and averages are averages of averages: for previews.

@@ -50,7 +50,7 @@ bool isOfRange(const map::Failure& failure) {
 
 namespace {
 
-std::vector<Fault> whyOf(const map::Failure& failure) {
+std::vector<Fault> failureReason(const map::Failure& failure) {
   std::vector<Fault> why;
   if (failure.cause.any()) {
     why.push_back(failure.cause);
@@ -81,7 +81,7 @@ Fault faultOf(const std::vector<Hole>& holes) {
         FaultCode{"replay", QT_TRANSLATE_NOOP("replay", "%1 to %2 is missing"), FaultCode::Causes::Continued},
         {clock(hole.from_s, "yyyy-MM-dd HH:mm:ss.zzz"), clock(hole.until_s, "HH:mm:ss.zzz 'UTC'")}};
     // The robot's words are the same for all, mostly.
-    if (i == 0 || !(hole.failure == holes[i - 1].failure)) part.because = whyOf(hole.failure);
+    if (i == 0 || !(hole.failure == holes[i - 1].failure)) part.because = failureReason(hole.failure);
     all.because.push_back(std::move(part));
   }
   if (holes.size() > kMostNamed)

@@ -69,7 +69,7 @@ class ReplayRobot::Topics : public robot::LiveTopics {
     replay_.watching_ = on;
     if (on)
       QMetaObject::invokeMethod(
-          &replay_, [replay = &replay_] { replay->tellLastRaw(); }, Qt::QueuedConnection);
+          &replay_, [replay = &replay_] { replay->notifyLastRaw(); }, Qt::QueuedConnection);
   }
   void setTap(robot::FrameTap) override {}
 
@@ -202,7 +202,7 @@ robot::LiveTopics* ReplayRobot::liveTopics() { return live_.get(); }
 
 robot::MapCatalogue* ReplayRobot::mapCatalogue() { return origin_->mapCatalogue() ? maps_.get() : nullptr; }
 
-void ReplayRobot::takeMapInfo(const std::optional<map::MapInfo>& info) {
+void ReplayRobot::onMapInfo(const std::optional<map::MapInfo>& info) {
   const auto named = [](const std::optional<map::MapInfo>& one) {
     return one ? std::pair(one->uid, one->name) : std::pair<std::string, std::string>();
   };
@@ -211,13 +211,14 @@ void ReplayRobot::takeMapInfo(const std::optional<map::MapInfo>& info) {
   if (other) Q_EMIT mapsChanged();
 }
 
-robot::Absence ReplayRobot::whyNot(robot::Capability capability) const {
+robot::Absence ReplayRobot::unavailableReason(robot::Capability capability) const {
   using robot::Capability;
   const bool changes = capability == Capability::WaypointEditing ||
                        capability == Capability::Administration || capability == Capability::PictureEditing ||
                        capability == Capability::OverlayEditing;
   // There is no robot: the data comes from the bag.
-  return changes ? robot::Absence{robot::Absence::Reason::LocalFiles, {name_}} : origin_->whyNot(capability);
+  return changes ? robot::Absence{robot::Absence::Reason::LocalFiles, {name_}}
+                 : origin_->unavailableReason(capability);
 }
 
 void ReplayRobot::connectToRobot() {
@@ -245,7 +246,7 @@ void ReplayRobot::find() {
     refuse({.kind = map::FailureKind::Unsupported,
             .subject = {map::SubjectKind::Bag, name_},
             .reason = map::FailureReason::NotOffered,
-            .cause = lackOfBags(origin_->whyNot(robot::Capability::Bags))});
+            .cause = lackOfBags(origin_->unavailableReason(robot::Capability::Bags))});
     return;
   }
   if (key_) return open(*key_);
@@ -360,7 +361,7 @@ bool ReplayRobot::playTo(double at_s) {
       }
       Q_EMIT topicReceived(message.message);
       if (!alive || at_s_ != at_s) return true;
-      if (const auto* const info = std::get_if<map::MapInfo>(&message.message.message)) takeMapInfo(*info);
+      if (const auto* const info = std::get_if<map::MapInfo>(&message.message.message)) onMapInfo(*info);
       if (!alive || at_s_ != at_s) return true;
     }
   }
@@ -385,12 +386,12 @@ void ReplayRobot::jump() {
   }
   const std::optional<map::MapInfo> info = world.live.map_info;
   Q_EMIT jumped(world, moment.knowledge);
-  if (alive) takeMapInfo(info);
+  if (alive) onMapInfo(info);
   if (alive) Q_EMIT knowledgeChanged();
-  if (alive) tellLastRaw();
+  if (alive) notifyLastRaw();
 }
 
-void ReplayRobot::tellLastRaw() {
+void ReplayRobot::notifyLastRaw() {
   const Cell* const cell =
       watching_ && reading_ && reading_->info() && at_s_ ? reading_->chunks().cellAt(*at_s_) : nullptr;
   const ChunkPtr chunk = cell ? reading_->chunkAt(cell->from) : nullptr;

@@ -51,7 +51,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   void choose(const robot::TopicChoices& choices) override;
   robot::TopicChoices chosen() const override;
   /// Changes would apply to a robot that has moved on since.
-  robot::Absence whyNot(robot::Capability capability) const override;
+  robot::Absence unavailableReason(robot::Capability capability) const override;
 
   /// Of the bag, once online; null before.
   Reading* reading() { return reading_.get(); }
@@ -79,7 +79,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   class Maps;
   void lookAgain();
   /// While raw messages are wanted: the last one of each topic in the present range.
-  void tellLastRaw();
+  void notifyLastRaw();
   void find();
   void open(robot::BagKey key);
   void refuse(const map::Failure& failure);
@@ -88,7 +88,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   void reportHoles();
   void fetchPicture(const map::GridMessage& grid, const std::string& url);
   bool playTo(double at_s);
-  void takeMapInfo(const std::optional<map::MapInfo>& info);
+  void onMapInfo(const std::optional<map::MapInfo>& info);
   void setState(robot::ConnectionState state);
   void setKnowledge(Knowledge knowledge);
 

@@ -78,7 +78,7 @@ struct Search {
   }
 
   /// Data added by the robot is older than the chunk, and may be newer than what is known.
-  void takeBackFilled() {
+  void addBackFilled() {
     for (const std::uint32_t which : chunk.back_filled) {
       const robot::BagMessage& each = chunk.source->messages[which];
       if (!each.known) continue;
@@ -218,7 +218,7 @@ WorldAt worldAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double 
   Search search{index, from, chunk, at_s, complete, content};
   search.lookIntoChunk();
   search.lookBack();
-  if (!complete) search.takeBackFilled();
+  if (!complete) search.addBackFilled();
   map::World history = search.history();
   map::World world = search.ofLastMessages();
   world.live.robot_pose = history.live.robot_pose;

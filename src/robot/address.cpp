@@ -51,7 +51,7 @@ ParsedAddress Addresses::parse(const QString& typed) const {
     if (scheme.on_network && rest.contains(QLatin1Char('@'))) {
       return ParsedAddress(error(leaveOutUser(text.chopped(rest.size()) + withoutUser(rest))));
     }
-    if (const auto why = scheme.on_network ? whyNoPort(text) : std::nullopt)
+    if (const auto why = scheme.on_network ? noPortReason(text) : std::nullopt)
       return ParsedAddress(error(*why));
     ParsedAddress address = scheme.parse(rest);
     if (address) address->scheme = scheme.prefix;
@@ -153,7 +153,7 @@ QString addressAt(const AddressScheme& scheme, const Host& host, bool encrypted)
   return scheme.prefix + url.toString();
 }
 
-std::optional<QString> whyNoPort(const QString& typed) {
+std::optional<QString> noPortReason(const QString& typed) {
   // Host and port, of which the former may be an IPv6 address in brackets.
   static const QRegularExpression like(
       QStringLiteral("^(?:[a-z0-9+.-]*://)?(?:\\[[^\\]]*\\]|[^:/?#\\[\\]]+):([0-9]+)(?:[/?#]|$)"),

@@ -84,7 +84,7 @@ class Addresses {
 QUrl serverAt(const QString& scheme, const Host& host, int usual_port);
 
 /// A sentence if a port in it is none; the first one counts.
-std::optional<QString> whyNoPort(const QString& typed);
+std::optional<QString> noPortReason(const QString& typed);
 
 /// An http or https address of a host with a port (by default `port`). No password, path or other scheme.
 /// `example`: a complete address for the error.

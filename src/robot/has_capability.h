@@ -42,7 +42,7 @@ inline bool has(Robot& robot, Capability capability) {
 /// It has not got it, and nothing that it may still tell or start would bring it.
 inline bool lacksForGood(Robot& robot, Capability capability) {
   if (has(robot, capability)) return false;
-  const Absence::Reason reason = robot.whyNot(capability).reason;
+  const Absence::Reason reason = robot.unavailableReason(capability).reason;
   return reason != Absence::Reason::NotToldYet && reason != Absence::Reason::NoService;
 }
 

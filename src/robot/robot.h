@@ -1,11 +1,11 @@
 // The port: everything mapwright can ask of any robot. Adapters are in src/robot/<backend>/.
 // A robot is a set of capabilities (docs/decisions/0003-one-port-for-all-robots.md), each an object owned by
-// the robot. A missing capability is a null pointer; whyNot() gives the reason, for a tooltip. Capabilities
-// may appear and disappear while connected: get the pointers again after capabilitiesChanged(). All members
-// are called on the thread that made the robot (the GUI thread, or the command line's main thread), all
-// signals and callbacks arrive there; adapters do their network work on their own threads.
-// Every request returns a Call and ends exactly once, later: with a value, or with a map::Failure that gives
-// its kind and, for a change, whether it was applied (robot/call.h). tests/robot/contract checks what every
+// the robot. A missing capability is a null pointer; unavailableReason() gives the reason, for a tooltip.
+// Capabilities may appear and disappear while connected: get the pointers again after capabilitiesChanged().
+// All members are called on the thread that made the robot (the GUI thread, or the command line's main
+// thread), all signals and callbacks arrive there; adapters do their network work on their own threads. Every
+// request returns a Call and ends exactly once, later: with a value, or with a map::Failure that gives its
+// kind and, for a change, whether it was applied (robot/call.h). tests/robot/contract checks what every
 // adapter must fulfil.
 #pragma once
 
@@ -257,7 +257,7 @@ class Robot : public QObject {
   virtual MapTransfer* mapTransfer() { return nullptr; }
 
   /// Why a capability is missing. Meaningless for one that exists.
-  virtual Absence whyNot(Capability) const { return {}; }
+  virtual Absence unavailableReason(Capability) const { return {}; }
   /// It is there, but only third parties tell of it: the robot's maker does not.
   virtual bool isUnconfirmed(Capability) const { return false; }
 

@@ -90,7 +90,7 @@ QString notOffered(MapChange change) {
 
 }  // namespace
 
-QString whyAbsent(Capability capability, const Absence& absence) {
+QString absenceReason(Capability capability, const Absence& absence) {
   switch (absence.reason) {
     case Absence::Reason::NotOfThisKind:
       break;
@@ -148,7 +148,7 @@ QString limitsOf(robot::Robot& robot) {
   if (robot.isLocal() && robot.connection().phase == robot::ConnectionPhase::Refused) return {};
   QStringList limits;
   const auto add = [&](Capability capability) {
-    const Absence absence = robot.whyNot(capability);
+    const Absence absence = robot.unavailableReason(capability);
     // Nobody expects this of files.
     if (capability == Capability::Administration && absence.reason == Absence::Reason::LocalFiles) return;
     const bool telling = absence.reason == Absence::Reason::ReadOnly ||
@@ -157,7 +157,7 @@ QString limitsOf(robot::Robot& robot) {
                          (absence.reason == Absence::Reason::NotToldYet &&
                           robot.connection().phase == robot::ConnectionPhase::Online) ||
                          (capability == Capability::Live && absence.reason == Absence::Reason::NoService);
-    if (telling) limits << whyAbsent(capability, absence);
+    if (telling) limits << absenceReason(capability, absence);
   };
   if (!robot.mapAdministration()) add(Capability::Administration);
   if (!robot.liveTopics()) add(Capability::Live);
@@ -176,7 +176,7 @@ Fault lackOf(Capability capability, const Absence& absence) {
   return {robot::fault::CapabilityLacking, std::move(arguments)};
 }
 
-QString whyNotNow(MapChange change, Obstacle obstacle) {
+QString notNowReason(MapChange change, Obstacle obstacle) {
   switch (obstacle) {
     case Obstacle::NotOffered:
       break;

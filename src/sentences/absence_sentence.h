@@ -10,7 +10,7 @@
 namespace mapwright::sentences {
 
 /// "There are no submaps here, only whole maps." Plain text.
-QString whyAbsent(robot::Capability capability, const robot::Absence& absence);
+QString absenceReason(robot::Capability capability, const robot::Absence& absence);
 
 /// "This is not confirmed by the robot's maker: ..."; empty if the robot lacks it, or it is confirmed.
 QString unconfirmedOf(robot::Robot& robot, robot::Capability capability);
@@ -21,9 +21,9 @@ QString unconfirmedOf(robot::Robot& robot, robot::Capability capability);
 QString limitsOf(robot::Robot& robot);
 
 /// Why a map cannot be changed: "It is archived: restore it from the archive first." Plain text.
-QString whyNotNow(robot::MapChange change, robot::Obstacle obstacle);
+QString notNowReason(robot::MapChange change, robot::Obstacle obstacle);
 
-/// The missing capability as a fault; wordsOf(it) is whyAbsent().
+/// The missing capability as a fault; wordsOf(it) is absenceReason().
 Fault lackOf(robot::Capability capability, const robot::Absence& absence);
 
 }  // namespace mapwright::sentences

@@ -155,7 +155,7 @@ QString textOf(const Failure& failure) {
 
 std::string sentenceOf(const map::Failure& failure) { return textOf(failure).toStdString(); }
 
-std::string whyOf(const map::Failure& failure) {
+std::string failureReason(const map::Failure& failure) {
   const bool told = failure.reason == FailureReason::Told || failure.reason == FailureReason::Empty;
   // A conflict is not a refusal.
   QString why = failure.kind == FailureKind::Conflict ? text(toldBy(failure))

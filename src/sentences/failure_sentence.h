@@ -13,6 +13,6 @@ std::string sentenceOf(const map::Failure& failure);
 
 /// "The robot answered 404 (not found): No such map.": only the reason, if the caller describes what happened
 /// itself.
-std::string whyOf(const map::Failure& failure);
+std::string failureReason(const map::Failure& failure);
 
 }  // namespace mapwright::sentences

@@ -68,7 +68,7 @@ QString lackWords(const Fault& fault) {
   absence.reason = robot::Absence::Reason(number(1));
   for (std::size_t i = 2; i < fault.arguments.size(); ++i)
     absence.arguments.push_back(textOf(fault.arguments[i]).toStdString());
-  return whyAbsent(robot::Capability(number(0)), absence);
+  return absenceReason(robot::Capability(number(0)), absence);
 }
 
 std::string causesOf(const Fault& fault) { return wordsOf(fault.because).toStdString(); }

@@ -27,7 +27,7 @@ std::string inQuotes(std::string_view name) {
 }
 
 /// Takes a text in quotes from the front of `rest`.
-std::optional<std::string> takeQuoted(std::string_view& rest) {
+std::optional<std::string> readQuoted(std::string_view& rest) {
   std::string out;
   for (std::size_t i = 1; i < rest.size(); ++i) {
     if (rest[i] == '"') {
@@ -40,24 +40,24 @@ std::optional<std::string> takeQuoted(std::string_view& rest) {
   return std::nullopt;
 }
 
-std::string takePlain(std::string_view& rest) {
+std::string readPlain(std::string_view& rest) {
   const std::size_t end = std::min(rest.find_first_of(".["), rest.size());
   std::string out(rest.substr(0, end));
   rest.remove_prefix(end);
   return out;
 }
 
-std::optional<FieldPath::Step> takeStep(std::string_view& rest) {
+std::optional<FieldPath::Step> readStep(std::string_view& rest) {
   if (rest.front() == '.') {
     rest.remove_prefix(1);
-    std::string name = takePlain(rest);
+    std::string name = readPlain(rest);
     if (!isPlain(name)) return std::nullopt;
     return name;
   }
   rest.remove_prefix(1);  // "["
   FieldPath::Step step;
   if (!rest.empty() && rest.front() == '"') {
-    auto name = takeQuoted(rest);
+    auto name = readQuoted(rest);
     if (!name) return std::nullopt;
     step = std::move(*name);
   } else {
@@ -151,16 +151,16 @@ std::optional<FieldPath> FieldPath::parse(std::string_view text) {
   if (text.empty() || text.size() > kLongest) return std::nullopt;
   FieldPath path;
   if (text.front() == '"') {
-    auto topic = takeQuoted(text);
+    auto topic = readQuoted(text);
     if (!topic || topic->empty()) return std::nullopt;
     path.topic = std::move(*topic);
   } else {
-    path.topic = takePlain(text);
+    path.topic = readPlain(text);
     if (!isPlain(path.topic)) return std::nullopt;
   }
   while (!text.empty()) {
     if (path.steps.size() >= kMostSteps || (text.front() != '.' && text.front() != '[')) return std::nullopt;
-    auto step = takeStep(text);
+    auto step = readStep(text);
     if (!step) return std::nullopt;
     path.steps.push_back(std::move(*step));
   }

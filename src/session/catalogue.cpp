@@ -100,7 +100,7 @@ void Catalogue::discardThumbnail(const map::MapKey& key) {
   if (source_ && thumbnails_.erase(key) > 0) source_->discardThumbnail(key);
 }
 
-const map::Failure* Catalogue::whyNoThumbnail(const map::MapKey& key) const {
+const map::Failure* Catalogue::noThumbnailReason(const map::MapKey& key) const {
   const auto found = no_thumbnail_.find(key);
   return found == no_thumbnail_.end() || thumbnails_.contains(key) ? nullptr : &found->second;
 }
@@ -117,12 +117,12 @@ void Catalogue::askForThumbnails() {
     wanted_.erase(wanted_.begin());
     thumbnails_under_way_[key] =
         source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Outcome<std::string> answer) {
-          if (self) self->takeThumbnail(key, std::move(answer));
+          if (self) self->onThumbnail(key, std::move(answer));
         });
   }
 }
 
-void Catalogue::takeThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer) {
+void Catalogue::onThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer) {
   thumbnails_under_way_.erase(key);
   if (answer) {
     thumbnails_[key] = QByteArray::fromStdString(*answer);

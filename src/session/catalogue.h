@@ -46,7 +46,7 @@ class Catalogue : public QObject {
   /// It cannot be decoded: do not cache it.
   void discardThumbnail(const map::MapKey& key);
   /// Why there is none, as far as that is known; nullptr: there is one, or it was not asked for.
-  const map::Failure* whyNoThumbnail(const map::MapKey& key) const;
+  const map::Failure* noThumbnailReason(const map::MapKey& key) const;
   /// Nobody looks at them now: those that are on their way are asked for again when they are wanted.
   void releaseThumbnails();
 
@@ -57,7 +57,7 @@ class Catalogue : public QObject {
  private:
   void take(robot::Outcome<std::vector<map::CatalogueEntry>> answer);
   void askForThumbnails();
-  void takeThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer);
+  void onThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer);
 
   robot::MapCatalogue* source_;
   bool loading_ = false, again_ = false, asked_once_ = false;

@@ -46,7 +46,7 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
         message.png
             ? decoded(message, resources_)
             : Colors(tl::make_unexpected(Fault(faultText("session", "It arrived without a picture."))));
-    if (const auto why = map::whyUnusable(message.grid)) {
+    if (const auto why = map::unusableReason(message.grid)) {
       *grid = tl::make_unexpected(*why);
     } else if (!colors) {
       *grid = tl::make_unexpected(colors.error());

@@ -139,7 +139,7 @@ void MapSlot::start() {
   remark_.reset();
   broken_ = false;
   phase_ = Phase::Reading;
-  if (const auto why = map::whyUnusable(source_->grid)) {
+  if (const auto why = map::unusableReason(source_->grid)) {
     fail({map::Severity::Error, subject(), *why, map::ProblemCode::Unreadable});
     return;
   }
@@ -163,7 +163,7 @@ void MapSlot::start() {
       MapSlot* const slot = listener->slot;
       if (!slot) return;
       QMetaObject::invokeMethod(
-          slot, [slot, generation, damage] { slot->takeDamage(generation, damage); }, Qt::QueuedConnection);
+          slot, [slot, generation, damage] { slot->onDamage(generation, damage); }, Qt::QueuedConnection);
     };
   }
   tasks_.startLong([this, generation = generation_, cancelled = cancelled_, map = *source_,
@@ -171,23 +171,22 @@ void MapSlot::start() {
     const auto call = [&](auto what) { QMetaObject::invokeMethod(this, what, Qt::QueuedConnection); };
     for (;;) {
       const auto opened = open(map, options, generation);
-      call([this, generation, opened] { takeOpened(generation, opened); });
+      call([this, generation, opened] { onOpened(generation, opened); });
       if (!opened->reading) return;
       std::optional<Fault> error;
       if (!opened->reading->complete()) {
-        error =
-            opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
+        error = opened->reading->read(*cancelled, [&] { call([this, generation] { onRows(generation); }); });
       }
       options.code = opened->reading->otherCode();
       if (options.code) continue;  // then nothing more has to be judged
-      call([this, generation, error] { takeEnd(generation, error); });
+      call([this, generation, error] { onEnd(generation, error); });
       return;
     }
   });
   Q_EMIT changed();
 }
 
-void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened) {
+void MapSlot::onOpened(quint64 generation, const std::shared_ptr<Opened>& opened) {
   if (generation != generation_) return;
   if (opened->error) {
     auto next = std::exchange(next_, std::nullopt);
@@ -218,7 +217,7 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
   Q_EMIT changed();
 }
 
-void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
+void MapSlot::onDamage(quint64 generation, grids::GridDamage damage) {
   if (damage == grids::GridDamage::Mended) {
     Q_EMIT problemFound(
         {map::Severity::Info, subject(),
@@ -234,12 +233,12 @@ void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
   Q_EMIT changed();
 }
 
-void MapSlot::takeRows(quint64 generation) {
+void MapSlot::onRows(quint64 generation) {
   if (generation != generation_ || !reading_) return;
   if (reading_->cells == shown_cells_) Q_EMIT rowsArrived();
 }
 
-void MapSlot::takeEnd(quint64 generation, const std::optional<Fault>& error) {
+void MapSlot::onEnd(quint64 generation, const std::optional<Fault>& error) {
   if (generation != generation_ || !reading_) return;
   const auto opened = std::exchange(reading_, nullptr);
   if (const Fault trouble = opened->reading->notKept(); trouble.any() && !cache_told_) {

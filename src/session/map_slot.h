@@ -91,10 +91,10 @@ class MapSlot : public QObject {
   void start();
   static std::shared_ptr<Opened> open(const map::WholeMap& map, const grids::GridOptions& options,
                                       quint64 generation);
-  void takeDamage(quint64 generation, grids::GridDamage damage);
-  void takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
-  void takeRows(quint64 generation);
-  void takeEnd(quint64 generation, const std::optional<Fault>& error);
+  void onDamage(quint64 generation, grids::GridDamage damage);
+  void onOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
+  void onRows(quint64 generation);
+  void onEnd(quint64 generation, const std::optional<Fault>& error);
   void put(const std::shared_ptr<Opened>& opened);
   void cancel();
   map::Subject subject() const;

@@ -56,13 +56,13 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
   problems_timer_.setSingleShot(true);
   connect(&problems_timer_, &QTimer::timeout, this, &Session::problemsChanged);
 
-  connect(robot_.get(), &robot::Robot::topicReceived, this, &Session::takeTopic);
+  connect(robot_.get(), &robot::Robot::topicReceived, this, &Session::onTopic);
   connect(robot_.get(), &robot::Robot::problemFound, this,
           [this](const map::Problem& problem) { report(problem); });
   connect(robot_.get(), &robot::Robot::recovered, this,
           [this](const map::Recovery& recovery) { recover(recovery); });
   connect(robot_.get(), &robot::Robot::identityChanged, this, &Session::identityChanged);
-  connect(robot_.get(), &robot::Robot::connectionChanged, this, &Session::noteConnection);
+  connect(robot_.get(), &robot::Robot::connectionChanged, this, &Session::onConnection);
   no_live_map_timer_.setInterval(options.live_map_within_ms);
   wireSubmaps();
   wireMaps();
@@ -114,7 +114,7 @@ void Session::wireSubmaps() {
   submaps_.setOnline(robot_->connection().phase == robot::ConnectionPhase::Online);
   connect(&submaps_, &Submaps::restarted, this, [this] {
     ++generation_;
-    if (problems_.resolveAll(map::SubjectKind::Submap, wall_())) tellProblems();
+    if (problems_.resolveAll(map::SubjectKind::Submap, wall_())) reportProblems();
     Q_EMIT sessionRestarted();
   });
   connect(&submaps_, &Submaps::listChanged, this, &Session::listChanged);
@@ -147,7 +147,7 @@ void Session::wireSafety(bool log) {
           [this](const map::SafetyCondition& condition) { recover({map::problemOf(condition).subject}); });
 }
 
-void Session::noteConnection() {
+void Session::onConnection() {
   const bool online = robot_->connection().phase == robot::ConnectionPhase::Online;
   submaps_.setOnline(online);
   if (online != was_online_) {
@@ -156,7 +156,7 @@ void Session::noteConnection() {
     qCInfo(lcSession, "%s: %s", qUtf8Printable(robot_->address()), online ? "online" : "offline");
     was_online_ = online;
     if (online) {
-      if (problems_.resolveAll(map::SubjectKind::Robot, wall_())) tellProblems();
+      if (problems_.resolveAll(map::SubjectKind::Robot, wall_())) reportProblems();
       // A short loss changes no list: over a bad link asking again and again would be a load of its own.
       const bool wanted = maps_by_itself_ || catalogue_.asked();
       if (wanted && (!listed_at_ || now() - *listed_at_ > kListsStayFor)) catalogue_.refresh();
@@ -166,7 +166,7 @@ void Session::noteConnection() {
   Q_EMIT connectionChanged();
 }
 
-void Session::takeTopic(const map::StampedMessage& stamped) {
+void Session::onTopic(const map::StampedMessage& stamped) {
   const map::TopicMessage& message = stamped.message;
   // Data still arriving after it is no longer wanted would stay forever.
   if (const auto* cloud = std::get_if<map::PointCloudMessage>(&message); cloud && !listensTo(cloud->topic)) {
@@ -191,10 +191,10 @@ void Session::take(const map::StampedMessage& stamped) {
     // Latched data (landmarks, doors, the map) may have arrived before the message about the new frame: a new
     // subscription gets it again.
     if (robot::LiveTopics* const live = robot_->liveTopics()) live->setWanted({}, {});
-    takeFrame();
+    onFrame();
   }
   if (const auto* list = std::get_if<map::SubmapList>(&message)) {
-    if (submaps_wanted_) submaps_.takeList(*list);
+    if (submaps_wanted_) submaps_.onList(*list);
     return;
   }
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
@@ -204,7 +204,7 @@ void Session::take(const map::StampedMessage& stamped) {
   }
   if (const auto* grid = std::get_if<map::GridMessage>(&message)) {
     if (grid->body_bytes > 0) countFetch(grid->body_bytes, grid->from_cache);
-    takeGrid(*grid, known);
+    onGrid(*grid, known);
   }
   if (!known) Q_EMIT liveChanged(int(message.index()));
   Q_EMIT liveHeard(int(message.index()));
@@ -222,10 +222,10 @@ void Session::reset(map::World world, bool whole) {
   world.live.frame = live_.frame + 1;
   const std::optional<map::SubmapList> list = world.submaps;
   world_ = std::move(world);
-  takeFrame();
-  if (list && submaps_wanted_) submaps_.takeList(*list);
+  onFrame();
+  if (list && submaps_wanted_) submaps_.onList(*list);
   if (!list && whole) submaps_.forgetList();
-  for (const auto& [kind, grid] : std::map(live_.grids)) takeGrid(grid);
+  for (const auto& [kind, grid] : std::map(live_.grids)) onGrid(grid);
   for (std::size_t what = 0; what < std::variant_size_v<map::TopicMessage>; ++what) {
     Q_EMIT liveChanged(int(what));
     Q_EMIT liveHeard(int(what));
@@ -236,16 +236,16 @@ void Session::report(const map::Problem& problem, const QDateTime& at) {
   qCInfo(lcSession, "%s: %s", qUtf8Printable(sentences::nameOf(problem.subject)),
          qUtf8Printable(sentences::sentenceOf(problem)));
   problems_.add(problem, at.isValid() ? at : wall_());
-  tellProblems();
+  reportProblems();
 }
 
 void Session::recover(const map::Recovery& recovery, const QDateTime& at) {
   if (!problems_.resolve(recovery, at.isValid() ? at : wall_())) return;
   qCInfo(lcSession, "%s: well again", qUtf8Printable(sentences::nameOf(recovery.subject)));
-  tellProblems();
+  reportProblems();
 }
 
-void Session::tellProblems() {
+void Session::reportProblems() {
   if (!problems_timer_.isActive()) problems_timer_.start(kProblemsEveryMs);
 }
 

@@ -168,19 +168,19 @@ class Session : public QObject {
   void problemsChanged();                                         // coalesced likewise
 
  private:
-  void takeTopic(const map::StampedMessage& stamped);
+  void onTopic(const map::StampedMessage& stamped);
   void take(const map::StampedMessage& message);
-  void tellProblems();
-  void noteConnection();
+  void reportProblems();
+  void onConnection();
   void countFetch(std::size_t body_bytes, bool from_cache);
   void wireMaps();
   void wireSubmaps();
   void wireSafety(bool log);
   void discardPicture(const std::string& fingerprint);
   /// `repeated`: the picture is the same as before.
-  void takeGrid(const map::GridMessage& message, bool repeated = false);
+  void onGrid(const map::GridMessage& message, bool repeated = false);
   bool listensTo(const std::string& topic) const;
-  void takeFrame();
+  void onFrame();
   void forgetUnwanted();
   void openInto(MapSlot& slot, const map::MapKey& key);
   void askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<bool()> still_wanted);

@@ -209,7 +209,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
   if (!robot_->wholeMapSource()) {
     constexpr auto kWhat = robot::Capability::WholeMaps;
     slot.fail({map::Severity::Error, map::subjectOf(key, name.toStdString()),
-               sentences::lackOf(kWhat, robot_->whyNot(kWhat)), map::ProblemCode::Unavailable,
+               sentences::lackOf(kWhat, robot_->unavailableReason(kWhat)), map::ProblemCode::Unavailable,
                map::FailureKind::Unsupported});
     return;
   }
@@ -220,7 +220,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     if (!stillWanted() || slot.phase() != MapSlot::Phase::Fetching) return;
     if (answer && answer->body_bytes > 0) {
       countFetch(answer->body_bytes, answer->from_cache);
-      submaps_.tellSoon();
+      submaps_.notifySoon();
     }
     if (answer && !(answer->key == slot.key())) {
       slot.fail({map::Severity::Error,
@@ -323,7 +323,7 @@ void Session::retryMaps() {
   }
 }
 
-void Session::takeGrid(const map::GridMessage& message, bool repeated) {
+void Session::onGrid(const map::GridMessage& message, bool repeated) {
   if (message.kind != map::GridKind::WholeMap) {
     const bool shown = layer_grids_.find(message.kind) && !layer_grids_.busy();
     if (!repeated || !shown) layer_grids_.take(message);
@@ -362,7 +362,7 @@ bool Session::listensTo(const std::string& topic) const {
   return !retired_topics_.contains(QString::fromStdString(topic));
 }
 
-void Session::takeFrame() {
+void Session::onFrame() {
   layer_grids_.clear();
   const map::MapKey live_map{map::MapKind::Live, {}};
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {

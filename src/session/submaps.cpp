@@ -60,7 +60,7 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
   textures_ = cells::TextureStore::make(options.textures, std::move(listener));
   for (QTimer* timer : {&wake_timer_, &touched_timer_}) timer->setSingleShot(true);
   connect(&wake_timer_, &QTimer::timeout, this, &Submaps::pump);
-  connect(&touched_timer_, &QTimer::timeout, this, &Submaps::tellNow);
+  connect(&touched_timer_, &QTimer::timeout, this, &Submaps::notifyNow);
 }
 
 Submaps::~Submaps() {
@@ -77,10 +77,10 @@ void Submaps::forgetList() {
   if (store_.listReceived()) adopt(store_.clear(), false);
 }
 
-void Submaps::takeList(const map::SubmapList& list) {
+void Submaps::onList(const map::SubmapList& list) {
   if (still_) return;
   if (!comparing_ && list.entries.size() < kLongList) {
-    takeDifference(submap::compareLists(store_.listedBefore(), list));
+    applyDifference(submap::compareLists(store_.listedBefore(), list));
     return;
   }
   next_list_ = list;  // an unprocessed one is outdated
@@ -100,14 +100,14 @@ void Submaps::compareNext() {
         [this, difference, number] {
           if (number != comparison_) return;
           comparing_ = false;
-          if (!still_) takeDifference(*difference);
+          if (!still_) applyDifference(*difference);
           if (!still_ && next_list_) compareNext();
         },
         Qt::QueuedConnection);
   });
 }
 
-void Submaps::takeDifference(const submap::ListDifference& difference) {
+void Submaps::applyDifference(const submap::ListDifference& difference) {
   const bool first = !store_.listReceived();
   adopt(store_.apply(difference), first);
 }
@@ -142,10 +142,10 @@ void Submaps::adopt(const submap::SubmapChange& change, bool first) {
   if (change.new_session) Q_EMIT restarted();
   publish(change);
   if (change.set_changed) {
-    tellNow();  // listeners learn about them before the counters change
+    notifyNow();  // listeners learn about them before the counters change
     Q_EMIT listChanged();
   } else {
-    tellSoon();
+    notifySoon();
   }
   Q_EMIT listTaken(change.new_session);
   pump();
@@ -166,7 +166,7 @@ void Submaps::setOnline(bool online) {
 void Submaps::retryNow() {
   failure_reasons_.clear();
   for (const map::SubmapId id : scheduler_.retryNow()) note(id);
-  tellSoon();
+  notifySoon();
   pump();
 }
 
@@ -183,16 +183,16 @@ void Submaps::pump() {
   if (!source || still_ || !online_ || decodes_ >= kMostDecodes) return;
   for (const map::SubmapKey& key : scheduler_.take(monotonic_())) {
     note(key.id);
-    tellSoon();
+    notifySoon();
     source->fetch(key, [self = QPointer<Submaps>(this)](map::SubmapAnswer answer) {
-      if (self) self->takeAnswer(std::move(answer));
+      if (self) self->onAnswer(std::move(answer));
     });
   }
   const submap::Millis now = monotonic_();
   if (const auto due = scheduler_.nextDue(now)) wake_timer_.start(std::max(1, int((*due - now).count())));
 }
 
-void Submaps::takeAnswer(map::SubmapAnswer answer) {
+void Submaps::onAnswer(map::SubmapAnswer answer) {
   using Outcome = map::SubmapAnswer::Outcome;
   if (still_) return;
   if (answer.outcome != Outcome::Cancelled) Q_EMIT bodyCame(answer.bytes, answer.from_cache);
@@ -237,7 +237,7 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
     }
     note(key.id);
   }
-  tellSoon();
+  notifySoon();
   pump();
 }
 
@@ -253,12 +253,12 @@ void Submaps::decode(map::SubmapAnswer answer) {
     decoded_.push_back(std::move(decoded));
     if (decoded_.size() == 1) {
       QMetaObject::invokeMethod(
-          this, [this] { takeDecoded(); }, Qt::QueuedConnection);
+          this, [this] { onDecoded(); }, Qt::QueuedConnection);
     }
   });
 }
 
-void Submaps::takeDecoded() {
+void Submaps::onDecoded() {
   std::vector<Decoded> batch;
   {
     const std::lock_guard lock(decoded_mutex_);
@@ -270,7 +270,7 @@ void Submaps::takeDecoded() {
     if (decoded.generation == generation_) take(std::move(decoded), change);
   }
   publish(change);
-  tellSoon();
+  notifySoon();
   pump();
 }
 
@@ -311,7 +311,7 @@ void Submaps::lose(map::SubmapId id) {
   scheduler_.again({store_.uuid(), id, store_.find(id)->entry.version});
   note(id);
   publish(change);
-  tellSoon();
+  notifySoon();
   pump();
 }
 
@@ -324,12 +324,12 @@ void Submaps::note(map::SubmapId id) {
   if (!touched_.all) touched_.ids.push_back(id);
 }
 
-void Submaps::noteAll() {
+void Submaps::reportAllChanged() {
   touched_.all = true;
   for (const auto& [id, row] : store_.rows()) note(id);
 }
 
-void Submaps::tellNow() {
+void Submaps::notifyNow() {
   touched_timer_.stop();
   TouchedRows rows = std::exchange(touched_, {});
   if (rows.all) rows.ids.clear();
@@ -338,7 +338,7 @@ void Submaps::tellNow() {
   Q_EMIT touched(rows);
 }
 
-void Submaps::tellSoon() {
+void Submaps::notifySoon() {
   if (!touched_timer_.isActive()) touched_timer_.start(kTouchedEveryMs);
 }
 
@@ -400,9 +400,9 @@ bool Submaps::settled(int tries) const {
 void Submaps::setSlice(int slice) {
   if (slice == slice_ || slice < 0) return;
   slice_ = slice;
-  noteAll();
+  reportAllChanged();
   Q_EMIT sliceChanged();
-  tellSoon();
+  notifySoon();
 }
 
 void Submaps::setVisible(const std::vector<map::SubmapId>& ids, bool visible) {
@@ -416,7 +416,7 @@ void Submaps::setVisible(const std::vector<map::SubmapId>& ids, bool visible) {
   }
   if (changed.empty()) return;
   Q_EMIT placed(changed);
-  tellSoon();
+  notifySoon();
 }
 
 void Submaps::setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {

@@ -42,7 +42,7 @@ class Submaps : public QObject {
   ~Submaps() override;
 
   /// A list arrived. Its changes are visible at once or, if it is long, as soon as it has been compared.
-  void takeList(const map::SubmapList& list);
+  void onList(const map::SubmapList& list);
   /// There is none, as before the first one: drops everything from it.
   void forgetList();
   /// Requests nothing new while offline: the list may belong to another session.
@@ -67,7 +67,7 @@ class Submaps : public QObject {
   void setVisible(const std::vector<map::SubmapId>& ids, bool visible);
   void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
   /// Schedules touched(), even if no row looks different.
-  void tellSoon();
+  void notifySoon();
 
  Q_SIGNALS:
   void restarted();    // a new SLAM session: all pictures were dropped. Emitted first
@@ -89,14 +89,14 @@ class Submaps : public QObject {
     submap::DecodedSubmap submap;
   };
   void compareNext();
-  void takeDifference(const submap::ListDifference& difference);
+  void applyDifference(const submap::ListDifference& difference);
   /// `first`: from the very first list.
   void adopt(const submap::SubmapChange& change, bool first);
   void publish(const submap::SubmapChange& change);
   void pump();
-  void takeAnswer(map::SubmapAnswer answer);
+  void onAnswer(map::SubmapAnswer answer);
   void decode(map::SubmapAnswer answer);
-  void takeDecoded();
+  void onDecoded();
   void take(Decoded decoded, submap::SubmapChange& change);
   /// It cannot be decoded.
   void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
@@ -104,8 +104,8 @@ class Submaps : public QObject {
   void lose(map::SubmapId id);
   /// Something about the submap has changed: its row, its place in the queue, the counters.
   void note(map::SubmapId id);
-  void noteAll();
-  void tellNow();
+  void reportAllChanged();
+  void notifyNow();
 
   std::function<robot::SubmapSource*()> source_;
   std::function<submap::Millis()> monotonic_;

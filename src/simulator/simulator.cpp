@@ -64,7 +64,7 @@ class Simulator::Impl {
     return one ? (one.get()->*does)() : otherwise;
   }
   template <typename... Arguments>
-  void tellRos(void (ros::RosServer::*what)(Arguments...), Arguments... arguments) {
+  void notifyRos(void (ros::RosServer::*what)(Arguments...), Arguments... arguments) {
     const std::lock_guard lock(server_mutex);
     if (ros_server) (ros_server.get()->*what)(arguments...);
   }
@@ -189,9 +189,9 @@ void Simulator::dropWebSockets() {
   if (impl_->ros_server) impl_->ros_server->dropLinks();
 }
 
-void Simulator::stallRos() { impl_->tellRos(&ros::RosServer::stall, true); }
+void Simulator::stallRos() { impl_->notifyRos(&ros::RosServer::stall, true); }
 
-void Simulator::unstallRos() { impl_->tellRos(&ros::RosServer::stall, false); }
+void Simulator::unstallRos() { impl_->notifyRos(&ros::RosServer::stall, false); }
 
 void Simulator::publishMapChange() { impl_->library.change(); }
 
@@ -203,8 +203,8 @@ int Simulator::openWebSockets() const { return impl_->with(impl_->server, &Axbot
 
 int Simulator::openRosLinks() const { return impl_->with(impl_->ros_server, &ros::RosServer::openLinks, 0); }
 
-void Simulator::otherPainter() { impl_->tellRos(&ros::RosServer::otherPainter); }
+void Simulator::otherPainter() { impl_->notifyRos(&ros::RosServer::otherPainter); }
 
-void Simulator::otherOperator() { impl_->tellRos(&ros::RosServer::otherOperator); }
+void Simulator::otherOperator() { impl_->notifyRos(&ros::RosServer::otherOperator); }
 
 }  // namespace mapwright::simulator

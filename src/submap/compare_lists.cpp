@@ -23,7 +23,7 @@ FaultCode poseProblem(const geometry::Pose3& pose) {
   return FaultCode();
 }
 
-void noteTwice(const map::SubmapEntry& first, const map::SubmapEntry& other, ListDifference& difference) {
+void reportTwice(const map::SubmapEntry& first, const map::SubmapEntry& other, ListDifference& difference) {
   difference.listed_twice.insert(first.id);
   difference.problems.push_back(
       {map::Severity::Warning, map::subjectOf(first.id),
@@ -51,7 +51,7 @@ std::vector<map::SubmapEntry> uniqueEntries(const map::SubmapList& list, ListDif
       ++kept;
       continue;
     }
-    noteTwice(entries[kept - 1], entries[i], difference);
+    reportTwice(entries[kept - 1], entries[i], difference);
     if (rank(entries[i]) > rank(entries[kept - 1])) entries[kept - 1] = entries[i];
   }
   entries.resize(kept);

@@ -21,7 +21,7 @@ CellBlocks::CellBlocks(int width_cells, int height_cells)
   sums.assign(std::size_t(columns()) * std::size_t(rows()), kSumStart);
 }
 
-void CellBlocks::takeRow(int y, const std::uint8_t* cells) {
+void CellBlocks::addRow(int y, const std::uint8_t* cells) {
   std::uint32_t* const row = sums.data() + std::ptrdiff_t(y / edge) * columns();
   for (int column = 0; column < columns(); ++column) {
     std::uint32_t sum = row[column];

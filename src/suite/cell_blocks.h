@@ -21,7 +21,7 @@ struct CellBlocks {
   /// Blocks as small as a bounded number of them allows.
   CellBlocks(int width, int height);
   /// From the top; each row once.
-  void takeRow(int y, const std::uint8_t* cells);
+  void addRow(int y, const std::uint8_t* cells);
   int columns() const { return (width + edge - 1) / edge; }
   int rows() const { return (height + edge - 1) / edge; }
   bool known() const { return width > 0; }

@@ -131,7 +131,7 @@ QString knownKeys(const KnownOptions& known) {
 }
 
 /// Adds what `node` says to `view`.
-void takeKeys(const YAML::Node& node, const KnownOptions& known, bool is_view, View& view) {
+void readKeys(const YAML::Node& node, const KnownOptions& known, bool is_view, View& view) {
   std::set<std::string> seen;
   for (const auto& pair : node) {
     const YAML::Mark mark = pair.first.Mark();
@@ -215,7 +215,7 @@ Suite suiteIn(const YAML::Node& root, const KnownOptions& known) {
   if (defaults.IsDefined() && !defaults.IsNull()) {
     if (!defaults.IsMap())
       throw refusedAt(defaults.Mark(), SuiteText::tr("The defaults must be keys with their values."));
-    takeKeys(defaults, known, false, usual);
+    readKeys(defaults, known, false, usual);
   }
   if (!views.IsDefined() || !views.IsSequence() || views.size() == 0)
     throw refusedAt(views.Mark(), SuiteText::tr("This is no suite: it has no views."));
@@ -228,7 +228,7 @@ Suite suiteIn(const YAML::Node& root, const KnownOptions& known) {
     if (!node.IsMap()) throw refusedAt(node.Mark(), SuiteText::tr("A view must be keys with their values."));
     View view = usual;
     view.at = positionOf(node.Mark());
-    takeKeys(node, known, true, view);
+    readKeys(node, known, true, view);
     if (view.name.isEmpty()) throw refusedAt(node.Mark(), SuiteText::tr("This view has no name."));
     for (const ViewOption& option : view.options) bytes += option.value.size();
     if (bytes > kMostValueBytes)

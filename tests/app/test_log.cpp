@@ -110,7 +110,7 @@ class LogTest : public QObject {
     }
   }
 
-  void whyARobotDoesNotConnectIsToldByEachKind() {
+  void aRobotDoesNotConnectIsToldByEachKindReason() {
     for (const char* scheme : {"axbot+http", "aimdk+http", "ros+ws", "kabam+ws"}) {
       const Outcome outcome = run(QStringLiteral("maps list --timeout 3 --log all --robot %1://127.0.0.1:1")
                                       .arg(QLatin1String(scheme)));

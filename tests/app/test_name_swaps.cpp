@@ -288,7 +288,7 @@ class NameSwapsTest : public QObject {
             QVERIFY2(
                 reading_->waitUntil([&] { return !list->offered().empty() || isAsWanted(store, trial); }, 30),
                 where);
-            list->takeUp(QStringLiteral("take up"));
+            list->restoreDraft(QStringLiteral("take up"));
             QVERIFY2(list->document().conflicts().empty(), where);
             QVERIFY2(send(*list), where);
             QVERIFY2(!list->unsaved(), where);

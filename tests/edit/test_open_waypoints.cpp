@@ -286,7 +286,7 @@ class TestOpenWaypoints : public QObject {
     QTRY_COMPARE(desk.list->offered().size(), std::size_t(1));
     QCOMPARE(desk.list->offered()[0].changes.size(), std::size_t(1));
     QVERIFY(!desk.list->unsaved());
-    desk.list->takeUp(QStringLiteral("draft"));
+    desk.list->restoreDraft(QStringLiteral("draft"));
     QVERIFY(desk.list->offered().empty());
     QCOMPARE(desk.document().find("a")->position_m.x(), 1.0);
     QCOMPARE(desk.document().find("a")->name, std::string("Renamed meanwhile"));

@@ -279,7 +279,7 @@ class IncidentTest : public QObject {
     digest.from_s = kAt - 64;
     digest.until_s = kAt + 64;
     for (int i = -640; i < 640; ++i) digest.poses.push_back({kAt + i * 0.1, 0, {i < 0 ? i * 0.1 : 0, 0, 0}});
-    minute.takePoses({{replay::tickOf(digest.from_s), digest}});
+    minute.addPoses({{replay::tickOf(digest.from_s), digest}});
     const auto curves = minute.curves();
     QCOMPARE(curves.size(), std::size_t(1));
     const QByteArray svg = incident::svgOf(curves.front(), kAt);

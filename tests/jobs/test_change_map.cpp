@@ -13,13 +13,13 @@ class TestChangeMap : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void namesAreOneLine() {
-    QVERIFY(jobs::whyNoMapName(QStringLiteral("hall 2")).isEmpty());
-    QVERIFY(jobs::whyNoMapName(QStringLiteral("  ")).contains(QStringLiteral("must have a name")));
-    QVERIFY(jobs::whyNoMapName(QStringLiteral("a\nb")).contains(QStringLiteral("one line")));
-    QVERIFY(jobs::whyNoFilename(QStringLiteral("office.png")).isEmpty());
-    QVERIFY(!jobs::whyNoFilename(QString()).isEmpty());
-    QVERIFY(!jobs::whyNoFilename(QStringLiteral("a\tb.png")).isEmpty());
-    QVERIFY(!jobs::whyNoFilename(QString(4097, QLatin1Char('a'))).isEmpty());
+    QVERIFY(jobs::noMapNameReason(QStringLiteral("hall 2")).isEmpty());
+    QVERIFY(jobs::noMapNameReason(QStringLiteral("  ")).contains(QStringLiteral("must have a name")));
+    QVERIFY(jobs::noMapNameReason(QStringLiteral("a\nb")).contains(QStringLiteral("one line")));
+    QVERIFY(jobs::noFilenameReason(QStringLiteral("office.png")).isEmpty());
+    QVERIFY(!jobs::noFilenameReason(QString()).isEmpty());
+    QVERIFY(!jobs::noFilenameReason(QStringLiteral("a\tb.png")).isEmpty());
+    QVERIFY(!jobs::noFilenameReason(QString(4097, QLatin1Char('a'))).isEmpty());
   }
 
   void othersOfTheSameNameAreNamed() {

@@ -56,7 +56,7 @@ class GridReferenceTest : public QObject {
     QFETCH(double, resolution);
     QFETCH(double, x);
     QFETCH(bool, usable);
-    const auto why = map::whyUnusable({10, 10, resolution, {x, 0, 0}});
+    const auto why = map::unusableReason({10, 10, resolution, {x, 0, 0}});
     QCOMPARE(!why.has_value(), usable);
     if (why) QVERIFY(why->any());
   }

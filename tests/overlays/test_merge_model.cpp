@@ -396,7 +396,7 @@ std::multiset<std::string> conflictsOf(const OverlayMerge& merged) {
 OverlayMerge windowMerge(const OverlayDocument& base, const OverlayDocument& mine,
                          const OverlayDocument& theirs) {
   EditingDocument document(theirs);
-  document.takeUp(base, mine);
+  document.restoreDraft(base, mine);
   OverlayMerge merged;
   for (const EditingDocument::Conflict& conflict : document.conflicts()) {
     const auto &here = document.find(conflict.first), &there = document.findBase(conflict.first);
@@ -413,7 +413,7 @@ OverlayMerge windowMerge(const OverlayDocument& base, const OverlayDocument& min
                                 document.mineOf(conflict),
                                 document.theirsOf(conflict)});
   }
-  for (const EditingDocument::Conflict& conflict : document.conflicts()) document.takeTheirs(conflict);
+  for (const EditingDocument::Conflict& conflict : document.conflicts()) document.useTheirs(conflict);
   merged.document = document.mine();
   return merged;
 }

@@ -191,7 +191,7 @@ class OverlayEditsTest : public QObject {
     QCOMPARE(conflict.second.text(), std::string("properties.name"));
     QVERIFY(document.mineOf(conflict) == "\"mine\"" && document.theirsOf(conflict) == "\"theirs\"");
     QVERIFY(document.inConflict(0));
-    document.takeTheirs(conflict);
+    document.useTheirs(conflict);
     QVERIFY(document.conflicts().empty() && document.state(0) == State::Changed);
     QVERIFY(document.find(0)->name() == "theirs" && document.find(0)->property("v")->text() == "2");
     document.undo();
@@ -206,7 +206,7 @@ class OverlayEditsTest : public QObject {
     document.rebase(read(wall("b", "[[2,2],[3,3]]")));
     QCOMPARE(document.conflicts().size(), std::size_t(1));
     QVERIFY(document.state(0) == State::New);
-    document.takeTheirs(document.conflicts()[0]);
+    document.useTheirs(document.conflicts()[0]);
     QVERIFY(!document.find(0) && document.conflicts().empty() && !document.unsaved());
   }
 
@@ -215,7 +215,7 @@ class OverlayEditsTest : public QObject {
     EditingDocument document(base);
     set(document, 0, movedBy(*document.find(0), {1, 0}));
     set(document, document.newKey(), Feature(wall("c", "[[5,5],[6,6]]")));
-    document.noteSaved();
+    document.markSaved();
     QVERIFY(!document.unsaved() && document.conflicts().empty());
     document.rebase(document.mine());
     QVERIFY(!document.unsaved() && document.changedThere().empty());
@@ -238,16 +238,16 @@ class OverlayEditsTest : public QObject {
     QCOMPARE(document.conflicts().size(), std::size_t(3));
     // The program crashes; meanwhile nothing changes.
     EditingDocument again(theirs);
-    again.takeUp(document.draftBase(), document.mine());
+    again.restoreDraft(document.draftBase(), document.mine());
     QCOMPARE(again.conflicts().size(), std::size_t(3));
     QCOMPARE(again.mine().text(), document.mine().text());
     EditingDocument once_more(theirs);
-    once_more.takeUp(again.draftBase(), again.mine());
+    once_more.restoreDraft(again.draftBase(), again.mine());
     QCOMPARE(once_more.conflicts().size(), std::size_t(3));
     // One that is decided is not asked about again.
     document.keepMine(document.conflicts()[0]);
     EditingDocument decided(theirs);
-    decided.takeUp(document.draftBase(), document.mine());
+    decided.restoreDraft(document.draftBase(), document.mine());
     QCOMPARE(decided.conflicts().size(), std::size_t(2));
     QVERIFY(decided.find(0)->name() == "mine");
   }
@@ -257,7 +257,7 @@ class OverlayEditsTest : public QObject {
     const OverlayDocument old_mine = read(wall("a", "[[7,0],[8,1]]") + "," + wall("n", "[[4,4],[5,5]]"));
     EditingDocument document(
         read(wall("a", "[[0,0],[1,1]]", R"(,"v":1)") + "," + wall("b", "[[2,2],[3,4]]")));
-    document.takeUp(old_base, old_mine);
+    document.restoreDraft(old_base, old_mine);
     QCOMPARE(document.find(0)->text(), wall("a", "[[7,0],[8,1]]", R"(,"v":1)"));
     QCOMPARE(document.conflicts().size(), std::size_t(1));  // b: deleted here, changed there
     QVERIFY(!document.find(1) && document.find(2) && document.find(2)->id() == "n");

@@ -32,7 +32,7 @@ Feature multi(const char* type, const char* coordinates) {
 
 std::string coordinatesOf(const Feature& feature) { return std::string(feature.coordinates()->text()); }
 
-std::string whyNotPasted(const std::string& text) {
+std::string notPastedReason(const std::string& text) {
   const auto pasted = pastedFeatures(text);
   return pasted ? std::string() : inEnglish(pasted.error());
 }
@@ -168,7 +168,7 @@ class OverlayToolsTest : public QObject {
     const auto pasted = pastedFeatures("[" + good + "," + none + R"(,{"type":"Feature"},)" + empty + "]");
     QVERIFY(pasted);
     QCOMPARE(pasted->size(), std::size_t(4));
-    QVERIFY(whyNotPasted(R"({"type":"Polygon","coordinates":[]})").find("no place") != std::string::npos);
+    QVERIFY(notPastedReason(R"({"type":"Polygon","coordinates":[]})").find("no place") != std::string::npos);
     QCOMPARE((*pasted)[1].text(), none);
     // Its id and name are taken then, and moving leaves it as it is.
     OverlayDocument among;
@@ -179,12 +179,12 @@ class OverlayToolsTest : public QObject {
   }
 
   void whatCannotBePastedIsToldWithItsPlace() {
-    QCOMPARE(whyNotPasted("hello"), std::string("it contains no overlays"));
-    QCOMPARE(whyNotPasted("{\n \"features\": [,]}"),
+    QCOMPARE(notPastedReason("hello"), std::string("it contains no overlays"));
+    QCOMPARE(notPastedReason("{\n \"features\": [,]}"),
              std::string("line 2, column 15: a value is expected here"));
-    QVERIFY(!whyNotPasted("{}").empty());
+    QVERIFY(!notPastedReason("{}").empty());
     const std::string good = R"({"geometry":{"type":"Point","coordinates":[1,2]}})";
-    const auto second = [&](const char* bad) { return whyNotPasted("[" + good + "," + bad + "]"); };
+    const auto second = [&](const char* bad) { return notPastedReason("[" + good + "," + bad + "]"); };
     QVERIFY(second("7").find("number 2") != std::string::npos);
     QVERIFY(second("{}").find("feature 2 has no place") != std::string::npos);
     QVERIFY(second(R"({"geometry":{"type":"Circle","coordinates":[1,2]}})").find("Circle") !=
@@ -258,11 +258,11 @@ class OverlayToolsTest : public QObject {
     editing.rebase(
         document(R"({"id":"a"})", R"("properties":{"defaultRackWidth":3,"x":[ 1],"defaultRackDepth":2},)"));
     QCOMPARE(editing.conflicts().size(), std::size_t(1));
-    editing.takeTheirs(editing.conflicts().front());
+    editing.useTheirs(editing.conflicts().front());
     QVERIFY(!editing.unsaved());
     // A draft keeps them.
     EditingDocument later(held);
-    later.takeUp(held, document(R"({"id":"a"})", R"("properties":{"defaultRackWidth":7,"x":[ 1]},)"));
+    later.restoreDraft(held, document(R"({"id":"a"})", R"("properties":{"defaultRackWidth":7,"x":[ 1]},)"));
     QVERIFY(later.unsaved());
     QVERIFY(later.mine().text().find(R"("defaultRackWidth":7)") != std::string::npos);
     // Where there are none yet, too.
@@ -271,7 +271,7 @@ class OverlayToolsTest : public QObject {
     bare.change({{kCollectionKey, now, withProperty(*now, "defaultPalletWidth", "1.2")}});
     QVERIFY(bare.mine().text().find(R"("properties": {"defaultPalletWidth": 1.2})") != std::string::npos ||
             bare.mine().text().find(R"("properties":{"defaultPalletWidth": 1.2})") != std::string::npos);
-    bare.noteSaved();
+    bare.markSaved();
     QVERIFY(!bare.unsaved());
     // Undone after saving it is as it was, to the byte, whatever the robot tells meanwhile.
     bare.rebase(document(R"({"id":"a"})", R"("properties": { "defaultPalletWidth":1.20 }, )"));

@@ -255,7 +255,7 @@ class AimdkRobotTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
     const Absence untold{Absence::Reason::NotToldYet, {}};
     for (const Capability one : {Capability::Administration, Capability::WaypointEditing})
-      QCOMPARE(robot_->whyNot(one), untold);
+      QCOMPARE(robot_->unavailableReason(one), untold);
     QVERIFY2(!sentences::limitsOf(*robot_).contains(QLatin1String("Read only")), "a claim");
     QVERIFY(sentences::limitsOf(*robot_).contains(QLatin1String("not known yet")));
     // It is asked again, and the other questions do not wait for it.
@@ -284,15 +284,18 @@ class AimdkRobotTest : public QObject {
     server_->answers.remove(kRealtime);
     server_->listen();
     QTRY_VERIFY_WITH_TIMEOUT(!robot_->mapAdministration(), kPatienceMs);
-    QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
+    QCOMPARE(robot_->unavailableReason(Capability::Administration),
+             (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
   }
 
   void itSaysThatItCannotEdit() {
     QVERIFY(!robot_->mapAdministration());
     robot_->connectToRobot();
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
-    QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
-    QCOMPARE(robot_->whyNot(Capability::Live), (Absence{Absence::Reason::NoService, {"?tf=ws://HOST:9090"}}));
+    QCOMPARE(robot_->unavailableReason(Capability::Administration),
+             (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
+    QCOMPARE(robot_->unavailableReason(Capability::Live),
+             (Absence{Absence::Reason::NoService, {"?tf=ws://HOST:9090"}}));
     QCOMPARE(
         sentences::limitsOf(*robot_),
         QStringLiteral("Read only: Agibot's interface offers no editing. Its interface does not report its "

@@ -691,7 +691,8 @@ class AxbotRobotTest : public QObject {
     QVERIFY(!answerTo<map::WholeMap>(ask).has_value());
     QVERIFY(!robot_->overviewSource());
     QCOMPARE(changed.size(), 1);
-    QCOMPARE(robot_->whyNot(Capability::Overview), (Absence{Absence::Reason::FirmwareLacks, {"404"}}));
+    QCOMPARE(robot_->unavailableReason(Capability::Overview),
+             (Absence{Absence::Reason::FirmwareLacks, {"404"}}));
     // It may have been given another one when it is back.
     for (QWebSocket* peer : std::as_const(server_->peers)) peer->abort();
     QTRY_VERIFY_WITH_TIMEOUT(robot_->overviewSource() != nullptr, kPatienceMs);

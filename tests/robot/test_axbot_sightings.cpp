@@ -90,9 +90,9 @@ class AxbotSightingsTest : public QObject {
     const auto charger = bench.look(Sight::Charger), rack = bench.look(Sight::Rack),
                pallet = bench.look(Sight::Pallet);
     QVERIFY(!charger && !rack && !pallet);
-    QCOMPARE(sentences::whyOf(charger.error()), std::string("The robot sees no charger here."));
-    QCOMPARE(sentences::whyOf(rack.error()), std::string("The robot sees no rack here."));
-    QVERIFY(sentences::whyOf(pallet.error()).find("Nothing was detected") != std::string::npos);
+    QCOMPARE(sentences::failureReason(charger.error()), std::string("The robot sees no charger here."));
+    QCOMPARE(sentences::failureReason(rack.error()), std::string("The robot sees no rack here."));
+    QVERIFY(sentences::failureReason(pallet.error()).find("Nothing was detected") != std::string::npos);
     QVERIFY(bench.collected() && bench.collected()->empty());
   }
 

@@ -432,7 +432,7 @@ class KabamPicturesTest : public QObject {
     QVERIFY(online());
     QVERIFY(!robot_->pictureStore());
     constexpr auto kEditing = Capability::PictureEditing;
-    const QString why = sentences::whyAbsent(kEditing, robot_->whyNot(kEditing));
+    const QString why = sentences::absenceReason(kEditing, robot_->unavailableReason(kEditing));
     QVERIFY2(why.contains(text("/map_manager/update_map_image")), qPrintable(why));
     QSignalSpy changed(robot_.get(), &Robot::capabilitiesChanged);
     serve([](const QJsonObject&) { return json(R"({"result":0})"); });

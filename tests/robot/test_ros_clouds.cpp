@@ -55,7 +55,7 @@ struct CloudText {
   Sent sent(const QByteArray& bytes) const { return byJson(text('"' + bytes.toBase64() + '"')); }
 };
 
-Fault whyNot(const CloudText& cloud, const QByteArray& bytes) {
+Fault unavailableReason(const CloudText& cloud, const QByteArray& bytes) {
   const auto read = readPointCloud2(cloud.sent(bytes).msg);
   return read ? Fault() : read.error();
 }
@@ -315,25 +315,28 @@ class RosCloudsTest : public QObject {
   void whatDoesNotFitIsNamed() {
     const QByteArray point = floats({1, 2, 3});
     CloudText cloud;
-    QCOMPARE(whyNot(cloud, point.left(11)), Fault(robot::ros::fault::RosLengthDiffers, {"data", 11, 12}));
+    QCOMPARE(unavailableReason(cloud, point.left(11)),
+             Fault(robot::ros::fault::RosLengthDiffers, {"data", 11, 12}));
     cloud.height = 2;
-    QCOMPARE(whyNot(cloud, point), Fault(robot::ros::fault::RosLengthDiffers, {"data", 12, 24}));
+    QCOMPARE(unavailableReason(cloud, point), Fault(robot::ros::fault::RosLengthDiffers, {"data", 12, 24}));
     cloud.row_step = 11;
-    QCOMPARE(whyNot(cloud, point + point), Fault(robot::ros::fault::RosFieldWrong, {"row_step", 11.0}));
+    QCOMPARE(unavailableReason(cloud, point + point),
+             Fault(robot::ros::fault::RosFieldWrong, {"row_step", 11.0}));
     CloudText huge;
     huge.width = huge.height = huge.point_step = qint64(1) << 32;
     huge.row_step = 0;
-    QCOMPARE(whyNot(huge, point), Fault(robot::ros::fault::RosFieldWrong, {"width", 4294967296.0}));
+    QCOMPARE(unavailableReason(huge, point),
+             Fault(robot::ros::fault::RosFieldWrong, {"width", 4294967296.0}));
     huge.width = huge.height = huge.point_step = qint64(1) << 28;
-    QCOMPARE(whyNot(huge, point).code, robot::ros::fault::RosLengthDiffers);
+    QCOMPARE(unavailableReason(huge, point).code, robot::ros::fault::RosLengthDiffers);
     huge.height = 1;
-    QCOMPARE(whyNot(huge, point).code, robot::ros::fault::RosLengthDiffers);
+    QCOMPARE(unavailableReason(huge, point).code, robot::ros::fault::RosLengthDiffers);
     CloudText no_step;
     no_step.point_step = 0;
-    QCOMPARE(whyNot(no_step, point), Fault(robot::ros::fault::RosFieldWrong, {"point_step", 0.0}));
+    QCOMPARE(unavailableReason(no_step, point), Fault(robot::ros::fault::RosFieldWrong, {"point_step", 0.0}));
     CloudText negative;
     negative.width = -1;
-    QCOMPARE(whyNot(negative, point), Fault(robot::ros::fault::RosFieldWrong, {"width", -1.0}));
+    QCOMPARE(unavailableReason(negative, point), Fault(robot::ros::fault::RosFieldWrong, {"width", -1.0}));
     QCOMPARE(readPointCloud2(byJson("{}").msg).error(), Fault(robot::ros::fault::RosFieldMissing, {"width"}));
     QCOMPARE(readPointCloud2(byJson(CloudText().text("5")).msg).error(),
              Fault(robot::ros::fault::RosFieldMissing, {"data"}));
@@ -345,7 +348,7 @@ class RosCloudsTest : public QObject {
           R"("offset":0,"datatype":0)", R"("datatype":7)", R"("offset":4294967295,"datatype":8)"}) {
       CloudText cloud;
       cloud.fields = R"([{"name":"x",)" + QByteArray(x) + R"(},{"name":"y","offset":4,"datatype":7}])";
-      QCOMPARE(whyNot(cloud, floats({1, 2, 3})).code, robot::wire::fault::PointsWithoutFields);
+      QCOMPARE(unavailableReason(cloud, floats({1, 2, 3})).code, robot::wire::fault::PointsWithoutFields);
     }
   }
 

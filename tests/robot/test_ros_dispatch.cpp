@@ -149,7 +149,7 @@ class RosDispatchTest : public QObject {
     serve("/map_manager/save_map", "kabam_msgs/SaveMap", {});
     QVERIFY(begin());
     QVERIFY(!dispatch());
-    QCOMPARE(robot_->whyNot(Capability::Dispatch).reason, Absence::Reason::NoService);
+    QCOMPARE(robot_->unavailableReason(Capability::Dispatch).reason, Absence::Reason::NoService);
   }
 
   void regionsOfAGridAreAskedByTheirCentre() {

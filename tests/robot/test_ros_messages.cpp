@@ -37,12 +37,12 @@ QByteArray infoOf(int width, int height, const QByteArray& resolution = "0.05000
          QByteArray::number(width) + R"(,"height":)" + QByteArray::number(height) + R"(,"origin":)" + kPose;
 }
 
-Fault whyNot(const QByteArray& grid) {
+Fault unavailableReason(const QByteArray& grid) {
   const auto read = readGrid(byJson(grid).msg);
   return read ? Fault() : read.error();
 }
 
-std::optional<FaultCode> noteOf(const Grid& grid) {
+std::optional<FaultCode> remarkOf(const Grid& grid) {
   return grid.notes.empty() ? std::nullopt : std::optional(grid.notes.front().code);
 }
 
@@ -131,7 +131,7 @@ class RosMessagesTest : public QObject {
                        .msg);
       QVERIFY(grid);
       QCOMPARE(grid->origin, (geometry::Pose2{1, 2, 0}));
-      QCOMPARE(noteOf(*grid), std::optional(robot::ros::fault::RosTurnIsZero));
+      QCOMPARE(remarkOf(*grid), std::optional(robot::ros::fault::RosTurnIsZero));
     }
   }
 
@@ -147,16 +147,16 @@ class RosMessagesTest : public QObject {
   }
 
   void aGridWithoutCellsSaysSo() {
-    QCOMPARE(whyNot(gridText(infoOf(0, 0), "[]")), Fault(robot::ros::fault::RosGridEmpty, {0, 0}));
-    QCOMPARE(whyNot(gridText(infoOf(5, 0), "[]")), Fault(robot::ros::fault::RosGridEmpty, {5, 0}));
+    QCOMPARE(unavailableReason(gridText(infoOf(0, 0), "[]")), Fault(robot::ros::fault::RosGridEmpty, {0, 0}));
+    QCOMPARE(unavailableReason(gridText(infoOf(5, 0), "[]")), Fault(robot::ros::fault::RosGridEmpty, {5, 0}));
   }
 
   void aGridOfAnotherLengthThanItSaysIsNotShown() {
-    QCOMPARE(whyNot(gridText(infoOf(2, 2), "[0,0,0]")),
+    QCOMPARE(unavailableReason(gridText(infoOf(2, 2), "[0,0,0]")),
              Fault(robot::ros::fault::RosLengthDiffers, {"data", 3, 4}));
-    QCOMPARE(whyNot(gridText(infoOf(2, 2), "[0,0,0,0,0]")),
+    QCOMPARE(unavailableReason(gridText(infoOf(2, 2), "[0,0,0,0,0]")),
              Fault(robot::ros::fault::RosLengthDiffers, {"data", 5, 4}));
-    QCOMPARE(whyNot(gridText(infoOf(2, 2), "[]")),
+    QCOMPARE(unavailableReason(gridText(infoOf(2, 2), "[]")),
              Fault(robot::ros::fault::RosLengthDiffers, {"data", 0, 4}));
   }
 
@@ -166,38 +166,41 @@ class RosMessagesTest : public QObject {
       const auto grid = readGrid(byJson(gridText(infoOf(6, 1), data)).msg);
       QVERIFY(grid);
       QCOMPARE(grid->cells, (Cells{0, -1, -1, -1, 100, -1}));
-      QCOMPARE(noteOf(*grid), std::optional(grids::fault::RosCellsOutOfRange));
+      QCOMPARE(remarkOf(*grid), std::optional(grids::fault::RosCellsOutOfRange));
       const bool null_counts = QByteArray(data).contains("null");
       QCOMPARE(std::get<std::int64_t>(grid->notes[0].arguments[0]), null_counts ? 4 : 3);
     }
   }
 
   void anAbsurdResolutionOrPlaceIsNamed() {
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "0"), "[0]")).code, map::fault::ResolutionNotPositive);
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "-0.05"), "[0]")).code, map::fault::ResolutionNotPositive);
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "1e9"), "[0]")).code, map::fault::ResolutionOutOfBounds);
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "null"), "[0]")).code, map::fault::ResolutionNoNumber);
-    QCOMPARE(whyNot(gridText(R"("resolution":1,"width":1,"height":1)", "[0]")).code,
+    QCOMPARE(unavailableReason(gridText(infoOf(1, 1, "0"), "[0]")).code, map::fault::ResolutionNotPositive);
+    QCOMPARE(unavailableReason(gridText(infoOf(1, 1, "-0.05"), "[0]")).code,
+             map::fault::ResolutionNotPositive);
+    QCOMPARE(unavailableReason(gridText(infoOf(1, 1, "1e9"), "[0]")).code, map::fault::ResolutionOutOfBounds);
+    QCOMPARE(unavailableReason(gridText(infoOf(1, 1, "null"), "[0]")).code, map::fault::ResolutionNoNumber);
+    QCOMPARE(unavailableReason(gridText(R"("resolution":1,"width":1,"height":1)", "[0]")).code,
              map::fault::OriginNoNumber);
   }
 
   void absurdSizesTakeNoMemory() {
-    QCOMPARE(whyNot(gridText(infoOf(2'000'000'000, 2'000'000'000), "[0]")),
+    QCOMPARE(unavailableReason(gridText(infoOf(2'000'000'000, 2'000'000'000), "[0]")),
              Fault(robot::ros::fault::RosFieldWrong, {"info.width", 2e9}));
-    QCOMPARE(whyNot(gridText(infoOf(200'000'000, 200'000'000), "[0]")).code,
+    QCOMPARE(unavailableReason(gridText(infoOf(200'000'000, 200'000'000), "[0]")).code,
              robot::ros::fault::RosFieldWrong);
-    QCOMPARE(whyNot(gridText(infoOf(-1, 5), "[0]")),
+    QCOMPARE(unavailableReason(gridText(infoOf(-1, 5), "[0]")),
              Fault(robot::ros::fault::RosFieldWrong, {"info.width", -1.0}));
   }
 
   void whatIsMissingIsNamed() {
-    QCOMPARE(whyNot("{}"), Fault(robot::ros::fault::RosFieldMissing, {"info"}));
-    QCOMPARE(whyNot(gridText(R"("height":2)", "[0]")),
+    QCOMPARE(unavailableReason("{}"), Fault(robot::ros::fault::RosFieldMissing, {"info"}));
+    QCOMPARE(unavailableReason(gridText(R"("height":2)", "[0]")),
              Fault(robot::ros::fault::RosFieldMissing, {"info.width"}));
-    QCOMPARE(whyNot(gridText(R"("width":"a","height":2)", "[0]")).arguments[0], FaultArgument("info.width"));
-    QCOMPARE(whyNot(gridText(infoOf(1, 1), R"("AAAA")")),
+    QCOMPARE(unavailableReason(gridText(R"("width":"a","height":2)", "[0]")).arguments[0],
+             FaultArgument("info.width"));
+    QCOMPARE(unavailableReason(gridText(infoOf(1, 1), R"("AAAA")")),
              Fault(robot::ros::fault::RosFieldMissing, {"data"}));
-    QCOMPARE(whyNot(gridText(infoOf(1, 1), "{}")), Fault(robot::ros::fault::RosFieldMissing, {"data"}));
+    QCOMPARE(unavailableReason(gridText(infoOf(1, 1), "{}")),
+             Fault(robot::ros::fault::RosFieldMissing, {"data"}));
   }
 
   void aPatchGoesIntoItsGrid() {

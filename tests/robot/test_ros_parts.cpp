@@ -512,13 +512,13 @@ class RosPartsTest : public QObject {
     RosWorld world;
     QByteArray wrong = tf("odom", "base_link", 1, 0, 0, kNow);
     wrong.replace(R"("w":1)", R"("w":0)");
-    const auto noteOf = [](const WorldResults& results) {
+    const auto remarkOf = [](const WorldResults& results) {
       return results.back().notes.empty() ? Fault() : results.back().notes.front();
     };
     const Fault named(robot::ros::fault::RosFieldMissing, {"transforms[base_link].transform"});
-    QCOMPARE(noteOf(give(world, kTf, wrong)), named);
-    QCOMPARE(noteOf(give(world, kTf, tf("map", "odom", 1, 0, 0, kNow))), named);  // that is another one
-    QCOMPARE(noteOf(give(world, kTf, tf("odom", "base_link", 1, 0, 0, kNow))), Fault());
+    QCOMPARE(remarkOf(give(world, kTf, wrong)), named);
+    QCOMPARE(remarkOf(give(world, kTf, tf("map", "odom", 1, 0, 0, kNow))), named);  // that is another one
+    QCOMPARE(remarkOf(give(world, kTf, tf("odom", "base_link", 1, 0, 0, kNow))), Fault());
   }
 
   void whereTheRobotIsComesByTransforms() {

@@ -211,8 +211,8 @@ class RosRobotTest : public QObject {
     QVERIFY(server_->timesCalled(QStringLiteral("/rosapi/topics")) >= 1);
     QVERIFY(robot_->liveTopics()->known().contains(QLatin1String("/map")));
     QVERIFY(!robot_->waypointStore() && !robot_->mapAdministration());
-    const QString why =
-        sentences::whyAbsent(Capability::WaypointEditing, robot_->whyNot(Capability::WaypointEditing));
+    const QString why = sentences::absenceReason(Capability::WaypointEditing,
+                                                 robot_->unavailableReason(Capability::WaypointEditing));
     QVERIFY2(why.contains(QLatin1String("KABAM")), qPrintable(why));
     robot_->disconnectFromRobot();
     QTRY_VERIFY(isIn(ConnectionPhase::Offline));

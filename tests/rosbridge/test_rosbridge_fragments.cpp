@@ -21,9 +21,9 @@ namespace {
 struct Joined {
   explicit Joined(FragmentJoiner::Limits limits = {}) : joiner(limits) {}
   QByteArray take(const QJsonValue& id, int number, double total, const QByteArray& data) {
-    return takeFrame(pieceFrame(id, number, total, data));
+    return onFrame(pieceFrame(id, number, total, data));
   }
-  QByteArray takeFrame(const QByteArray& frame) {
+  QByteArray onFrame(const QByteArray& frame) {
     const auto taken = joiner.take(json(frame)->root(), now);
     if (!taken) return taken.error() == Fault::Malformed ? "(malformed)" : "(too large)";
     return taken->value_or("(wait)");
@@ -59,9 +59,9 @@ class TestRosbridgeFragments : public QObject {
     Joined joined;
     QCOMPARE(joined.take(7, 0, 2, "a"), QByteArray("(wait)"));
     QCOMPARE(joined.take(QStringLiteral("7"), 0, 2, "b"), QByteArray("(wait)"));
-    QCOMPARE(joined.takeFrame(R"({"op":"fragment","num":0,"total":2,"data":"c"})"), QByteArray("(wait)"));
+    QCOMPARE(joined.onFrame(R"({"op":"fragment","num":0,"total":2,"data":"c"})"), QByteArray("(wait)"));
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(3));
-    QCOMPARE(joined.takeFrame(R"({"op":"fragment","num":1,"total":2,"data":"C"})"), QByteArray("cC"));
+    QCOMPARE(joined.onFrame(R"({"op":"fragment","num":1,"total":2,"data":"C"})"), QByteArray("cC"));
     QCOMPARE(joined.take(QStringLiteral("7"), 1, 2, "B"), QByteArray("bB"));
     QCOMPARE(joined.take(7, 1, 2, "A"), QByteArray("aA"));
   }
@@ -118,11 +118,11 @@ class TestRosbridgeFragments : public QObject {
           R"({"id":0,"num":0.5,"total":2,"data":"x"})", R"({"id":0,"num":0,"total":2,"data":7})",
           R"({"id":[],"num":0,"total":2,"data":"x"})", R"({"id":true,"num":0,"total":2,"data":"x"})", "[]",
           "7"}) {
-      QVERIFY2(joined.takeFrame(frame) == "(malformed)", frame);
+      QVERIFY2(joined.onFrame(frame) == "(malformed)", frame);
     }
     QCOMPARE(joined.take(QString(300, QLatin1Char('x')), 0, 2, "x"), QByteArray("(malformed)"));
-    QCOMPARE(joined.takeFrame(R"({"id":0,"num":0,"total":1e18,"data":"x"})"), QByteArray("(too large)"));
-    QCOMPARE(joined.takeFrame(R"({"id":0,"num":0,"total":1e300,"data":"x"})"), QByteArray("(too large)"));
+    QCOMPARE(joined.onFrame(R"({"id":0,"num":0,"total":1e18,"data":"x"})"), QByteArray("(too large)"));
+    QCOMPARE(joined.onFrame(R"({"id":0,"num":0,"total":1e300,"data":"x"})"), QByteArray("(too large)"));
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(0));
   }
 

@@ -41,8 +41,8 @@ class RoslibTest : public QObject {
     simulator::Options options;
     options.ros.dialect = ros2 ? simulator::RosDialect::Ros2 : simulator::RosDialect::Ros1;
     simulator::Simulator robot(options);
-    const auto why_not = robot.start();
-    QVERIFY2(!why_not, why_not.value_or(std::string()).c_str());
+    const auto unavailable_reason = robot.start();
+    QVERIFY2(!unavailable_reason, unavailable_reason.value_or(std::string()).c_str());
     const Ended ended = run(QStringLiteral("node"), {QStringLiteral(ROSLIB_SOURCES "/against_simulator.mjs"),
                                                      QStringLiteral("ws://127.0.0.1:%1").arg(robot.rosPort()),
                                                      ros2 ? QStringLiteral("ros2") : QStringLiteral("ros1"),

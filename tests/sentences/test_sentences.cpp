@@ -283,23 +283,23 @@ class SentencesTest : public QObject {
   }
 
   void whatARobotLacksIsSaidWithItsReason() {
-    QCOMPARE(sentences::whyAbsent(Capability::Submaps, {}),
+    QCOMPARE(sentences::absenceReason(Capability::Submaps, {}),
              QStringLiteral("There are no submaps here, only whole maps."));
-    QCOMPARE(sentences::whyAbsent(Capability::Administration, {Absence::Reason::ReadOnly, {"Agibot"}}),
+    QCOMPARE(sentences::absenceReason(Capability::Administration, {Absence::Reason::ReadOnly, {"Agibot"}}),
              QStringLiteral("Read only: Agibot's interface offers no editing."));
     QCOMPARE(
-        sentences::whyAbsent(Capability::Overview, {Absence::Reason::FirmwareLacks, {"404"}}),
+        sentences::absenceReason(Capability::Overview, {Absence::Reason::FirmwareLacks, {"404"}}),
         QStringLiteral(
             "This robot provides no overview of its map. Its firmware does not support this request (404)."));
-    QCOMPARE(sentences::whyAbsent(Capability::Live, {Absence::Reason::LocalFiles, {}}),
+    QCOMPARE(sentences::absenceReason(Capability::Live, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("This is a local map: there is no robot, so nothing moves on it."));
-    QCOMPARE(sentences::whyAbsent(Capability::Administration, {Absence::Reason::LocalFiles, {}}),
+    QCOMPARE(sentences::absenceReason(Capability::Administration, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("Local maps are named after their files, and no robot uses them."));
-    QCOMPARE(sentences::whyAbsent(Capability::Submaps, {Absence::Reason::LocalFiles, {}}),
+    QCOMPARE(sentences::absenceReason(Capability::Submaps, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("There are no submaps here, only whole maps."));
     for (const Capability changing : {Capability::WaypointEditing, Capability::Administration,
                                       Capability::PictureEditing, Capability::OverlayEditing})
-      QCOMPARE(sentences::whyAbsent(changing, {Absence::Reason::LocalFiles, {"drive.bag"}}),
+      QCOMPARE(sentences::absenceReason(changing, {Absence::Reason::LocalFiles, {"drive.bag"}}),
                QStringLiteral("This is a replay of drive.bag: nothing can be changed."));
   }
 };

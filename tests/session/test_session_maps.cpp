@@ -815,9 +815,9 @@ class SessionMapsTest : public QObject {
     QCOMPARE(arrived.size(), 2);
     QCOMPARE(robot_->thumbnails.size(), std::size_t(4));
     QCOMPARE(catalogue.thumbnail(rows[0].key), QByteArray("png"));
-    QVERIFY(!catalogue.whyNoThumbnail(rows[0].key) && !catalogue.whyNoThumbnail(rows[2].key));
-    QVERIFY(catalogue.whyNoThumbnail(rows[1].key));
-    QCOMPARE(catalogue.whyNoThumbnail(rows[1].key)->detail, std::string("too large"));
+    QVERIFY(!catalogue.noThumbnailReason(rows[0].key) && !catalogue.noThumbnailReason(rows[2].key));
+    QVERIFY(catalogue.noThumbnailReason(rows[1].key));
+    QCOMPARE(catalogue.noThumbnailReason(rows[1].key)->detail, std::string("too large"));
   }
 
   void thumbnailsThatNobodyLooksAtAreNotFetched() {
@@ -834,7 +834,7 @@ class SessionMapsTest : public QObject {
           tl::make_unexpected(map::Failure{.kind = map::FailureKind::Cancelled}));
     }
     QCOMPARE(robot_->thumbnails.size(), std::size_t(2));  // the others have not been asked for
-    QVERIFY(!catalogue.whyNoThumbnail(rows[0].key));
+    QVERIFY(!catalogue.noThumbnailReason(rows[0].key));
     QVERIFY(catalogue.thumbnail(rows[0].key).isEmpty());  // seen again: asked for again
     QCOMPARE(robot_->thumbnails.size(), std::size_t(3));
   }

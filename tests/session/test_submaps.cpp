@@ -143,7 +143,7 @@ class SubmapsTest : public QObject {
       const int what = int(random() % 20);
       if (what == 0) uuid = "u" + std::to_string(step);
       if (what <= 3) {
-        submaps_->takeList(randomList(random, uuid, submaps));
+        submaps_->onList(randomList(random, uuid, submaps));
       } else if (what <= 12 && !source_.asked.empty()) {
         constexpr Outcome kOutcomes[] = {Outcome::Ok, Outcome::Ok,        Outcome::Ok,
                                          Outcome::Ok, Outcome::NotFound,  Outcome::Failed,
@@ -181,12 +181,12 @@ class SubmapsTest : public QObject {
     std::vector<session::TouchedRows> told;
     connect(submaps_.get(), &Submaps::touched, this,
             [&](const session::TouchedRows& rows) { told.push_back(rows); });
-    submaps_->takeList(list);
+    submaps_->onList(list);
     QTRY_COMPARE(told.size(), std::size_t(1));
     QVERIFY2(told[0].all, "a new session");
     list.entries[7].pose.x = 99;
     list.entries.erase(list.entries.begin() + 20);
-    submaps_->takeList(list);
+    submaps_->onList(list);
     QTRY_COMPARE(told.size(), std::size_t(2));
     QVERIFY(!told[1].all);
     QCOMPARE(told[1].ids, std::vector<SubmapId>({{0, 7}, {0, 20}}));
@@ -200,7 +200,7 @@ class SubmapsTest : public QObject {
     map::SubmapList list;
     list.uuid = "u";
     list.entries.push_back({{0, 0}, 1, geometry::poseFromYaw(0, 0, 0)});
-    submaps_->takeList(list);
+    submaps_->onList(list);
     const auto answerIt = [this] {
       const auto [key, reply] = source_.asked.at(0);
       source_.asked.clear();
@@ -238,7 +238,7 @@ class SubmapsTest : public QObject {
     map::SubmapList list;
     list.uuid = "u";
     for (int i = 0; i < 3; ++i) list.entries.push_back({{0, i}, 1, geometry::poseFromYaw(0, 0, 0)});
-    submaps_->takeList(list);
+    submaps_->onList(list);
     for (const auto& [key, reply] : source_.asked) AskedSource::answer(key, reply, Outcome::Ok, 0);
     QTRY_COMPARE(workers->waiting(), 3);  // to be decoded, behind the other's job
     submaps_.reset();
@@ -253,7 +253,7 @@ class SubmapsTest : public QObject {
     for (int i = 0; i < 5000; ++i) list.entries.push_back({{0, i}, 1, geometry::poseFromYaw(i, 0, 0)});
     for (int shift = 0; shift < 5; ++shift) {
       for (map::SubmapEntry& entry : list.entries) entry.pose.y = shift;
-      submaps_->takeList(list);
+      submaps_->onList(list);
     }
     QVERIFY2(!submaps_->settled(1), "a list that has come and is not looked at yet is work to do");
     QTRY_VERIFY(submaps_->store().find({0, 0}) && submaps_->store().find({0, 0})->entry.pose.y == 4);

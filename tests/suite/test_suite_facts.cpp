@@ -253,7 +253,7 @@ class SuiteFactsTest : public QObject {
       for (const Eigen::Vector2i& at : black) {
         if (at.y() == y) row[std::size_t(at.x())] = 0;
       }
-      blocks.takeRow(y, row.data());
+      blocks.addRow(y, row.data());
     }
     made.map->blocks = blocks;
     for (const Eigen::Vector2i& at : black)

@@ -151,7 +151,7 @@ class FakeRobot : public robot::Robot,
   robot::WholeMapSource* wholeMapSource() override { return has_catalogue ? &maps : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_live ? this : nullptr; }
   robot::PictureStore* pictureStore() override { return picture_store; }
-  robot::Absence whyNot(robot::Capability capability) const override {
+  robot::Absence unavailableReason(robot::Capability capability) const override {
     const bool limited = capability == robot::Capability::Administration && !read_only_maker.isEmpty();
     if (!limited) return {};
     return {robot::Absence::Reason::ReadOnly, {read_only_maker.toStdString()}};
@@ -199,13 +199,13 @@ class FakeRobot : public robot::Robot,
     map::SubmapAnswer cancelled;
     cancelled.key = key;
     cancelled.outcome = map::SubmapAnswer::Outcome::Cancelled;
-    QTimer::singleShot(0, this, [reply = takeHeld(key), cancelled] {
+    QTimer::singleShot(0, this, [reply = mergeHeld(key), cancelled] {
       if (reply) reply(cancelled);
     });
   }
   /// Answers what is held of `key`, once.
   void release(const map::SubmapKey& key, const map::SubmapAnswer& with) {
-    if (const Reply reply = takeHeld(key)) reply(with);
+    if (const Reply reply = mergeHeld(key)) reply(with);
   }
 
   map::SubmapAnswer answer(const map::SubmapKey& key) const {
@@ -284,7 +284,7 @@ class FakeRobot : public robot::Robot,
   robot::RobotIdentity who;
 
  private:
-  Reply takeHeld(const map::SubmapKey& key) {
+  Reply mergeHeld(const map::SubmapKey& key) {
     const auto found =
         std::find_if(held.begin(), held.end(), [&](const auto& one) { return one.first == key; });
     if (found == held.end()) return {};

@@ -78,7 +78,7 @@ struct Model {
     states.push_back(std::move(next));
   }
   /// Where a state has what was kept, it has what is kept now.
-  void takeIn(const Cells& theirs) {
+  void mergeTheirs(const Cells& theirs) {
     // By pointers: a test is compiled without optimising, and these are most of its steps.
     const std::uint8_t *const kept = saved.data(), *const coming = theirs.data(), *mine = states[now].data();
     for (std::size_t at = 0; at < saved.size(); ++at) {
@@ -265,7 +265,7 @@ class TestPictureEditing : public QObject {
     picture::drawRectangle(canvas, {50, 2000, 60, 2010}, {kOccupied, {}});
     theirs.apply(canvas.take());
     desk.fill(Kind::Unknown);
-    desk.editing.takeIn(theirs.snapshot(), "theirs");
+    desk.editing.mergeTheirs(theirs.snapshot(), "theirs");
     QTRY_COMPARE(merged.size(), 1);
     QVERIFY(desk.done());
     QCOMPARE(desk.cell(5, 5), kUnknown);
@@ -282,7 +282,7 @@ class TestPictureEditing : public QObject {
     picture::drawRectangle(canvas, {50, 2000, 60, 2010}, {kOccupied, {}});
     theirs.apply(canvas.take());
     desk.fill(Kind::Unknown);
-    desk.editing.takeIn(theirs.snapshot(), "theirs");
+    desk.editing.mergeTheirs(theirs.snapshot(), "theirs");
     desk.editing.stop();
     QTRY_COMPARE(merged.size(), 1);
     QCOMPARE(desk.cell(55, 2005), kOccupied);
@@ -319,7 +319,7 @@ class TestPictureEditing : public QObject {
     const auto othersPaint = [&] {
       Model::Cells theirs = coming.empty() ? model.saved : coming.back();
       Model::paint(theirs, somewhere(), std::array{kFree, kOccupied, kUnknown}[std::size_t(upTo(3))]);
-      editing.takeIn(Model::pyramidOf(theirs), "theirs");
+      editing.mergeTheirs(Model::pyramidOf(theirs), "theirs");
       coming.push_back(std::move(theirs));
     };
     for (int step = 0; step < 60; ++step) {
@@ -347,7 +347,7 @@ class TestPictureEditing : public QObject {
         if (model.now + 1 < model.states.size()) ++model.now;
       }
       if (!coming.empty()) QVERIFY(QTest::qWaitFor([&] { return !editing.merging(); }, 30'000));
-      for (const Model::Cells& theirs : std::exchange(coming, {})) model.takeIn(theirs);
+      for (const Model::Cells& theirs : std::exchange(coming, {})) model.mergeTheirs(theirs);
       QCOMPARE(int(editing.changedCells()), model.differing(false));
       QCOMPARE(int(editing.conflicts()), model.differing(true));
       if (what == 8) {
@@ -357,7 +357,7 @@ class TestPictureEditing : public QObject {
           model.decide(take_theirs);
         }
         QCOMPARE(int(editing.conflicts()), 0);
-        editing.noteSaved(editing.snapshot());
+        editing.markSaved(editing.snapshot());
         model.saved = model.states[model.now];
         model.met.assign(model.saved.size(), false);
       }
@@ -383,7 +383,7 @@ class TestPictureEditing : public QObject {
     picture::Canvas canvas(theirs);
     picture::drawRectangle(canvas, {40, 40, 50, 50}, {kOccupied, {}});
     theirs.apply(canvas.take());
-    desk.editing.takeIn(theirs.snapshot(), "theirs");
+    desk.editing.mergeTheirs(theirs.snapshot(), "theirs");
     QTRY_COMPARE(merged.size(), 1);
     QVERIFY(desk.editing.preview());
     QCOMPARE(int(desk.editing.preview()->cells->at(45, 45)), kOccupied);

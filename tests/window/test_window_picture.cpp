@@ -451,9 +451,9 @@ class TestWindowPicture : public QObject {
     desk.action("save")->trigger();
     QVERIFY(!desk.control().saving());
     QVERIFY(desk.toasts().last().contains(QLatin1String("Choose which ones to keep")));
-    QVERIFY(desk.dock().takeTheirsButton()->isVisible());
-    desk.dock().takeTheirsButton()->setFocus();
-    desk.dock().takeTheirsButton()->click();
+    QVERIFY(desk.dock().useTheirsButton()->isVisible());
+    desk.dock().useTheirsButton()->setFocus();
+    desk.dock().useTheirsButton()->click();
     QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desk.window->view()));
     QCOMPARE(int(desk.cells().at(12, 12)), 255);
     QCOMPARE(int(desk.cells().at(17, 17)), 100);

@@ -328,7 +328,7 @@ class TestWindowRegions : public QObject {
     QApplication::sendEvent(window_->view()->viewport(), &event);
     return QToolTip::isVisible() ? QToolTip::text() : QString();
   }
-  void whyAPlaceIsBlankIsSaidWhereTheCursorRests() {
+  void aPlaceIsBlankIsSaidWhereTheCursorRestsReason() {
     prepare_ = [](DispatchRobot& robot) {
       robot.dispatch.answer = [&robot](const map::GridRegion& region) -> robot::Outcome<map::GridPart> {
         if (region.size_m.x() < 10) return robot.dispatch.ground.part(region);
@@ -397,7 +397,7 @@ class TestWindowRegions : public QObject {
     QVERIFY(std::abs(grid.width - 200) <= 2 && std::abs(grid.height - 120) <= 2);
     QVERIFY(std::abs(grid.origin.x_m + 5) < 0.11);
     // The next one would take its place.
-    controller()->fetch().takeRectangle({-1.01, -1.03, 1.94, 1.92});
+    controller()->fetch().onRectangle({-1.01, -1.03, 1.94, 1.92});
     QVERIFY(controller()->question());
     QVERIFY2(controller()->question()->text().contains(QStringLiteral(": 59 × 59 cells")),
              qPrintable(controller()->question()->text()));
@@ -441,7 +441,7 @@ class TestWindowRegions : public QObject {
     leaving()->button(QMessageBox::Cancel)->click();
     QTRY_VERIFY(!leaving());
     // What is in a file is not lost.
-    controller()->noteExported();
+    controller()->onExported();
     action("disconnect")->trigger();
     QTRY_VERIFY(!window_->session());
     QVERIFY(!leaving());

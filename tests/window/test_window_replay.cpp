@@ -144,7 +144,7 @@ struct Desk {
     return path;
   }
   /// The button of the toast that was shown last.
-  void takeOffer() {
+  void acceptOffer() {
     const auto buttons = part<MapOverlay>(*window)->toasts()->findChildren<QPushButton*>();
     QVERIFY(!buttons.isEmpty());
     buttons.last()->click();
@@ -433,7 +433,7 @@ class TestWindowReplay : public QObject {
     QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
     const QString path = desk.record("run.mcap");
     if (robot_left) desk.action("disconnect")->trigger();
-    desk.takeOffer();
+    desk.acceptOffer();
     QTRY_VERIFY(desk.isReplay() && desk.clock().isOpen());
     QCOMPARE(desk.timeline().backButton()->text(),
              robot_left ? QStringLiteral("Close the replay") : QStringLiteral("Back to the robot"));
@@ -475,7 +475,7 @@ class TestWindowReplay : public QObject {
     }
     QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
     desk.record("run.mcap");
-    desk.takeOffer();
+    desk.acceptOffer();
     QTRY_VERIFY(desk.isReplay() && desk.clock().isOpen());
     QVERIFY(plots->layout().contains(QStringLiteral("/tracked_pose.pos[0]")));
     QVERIFY(!plots->layout().contains(QStringLiteral("/nowhere.a")));

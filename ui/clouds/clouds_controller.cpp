@@ -174,14 +174,14 @@ void CloudsController::refreshOffer() {
   if (!session) {
     absence = tr("Connect to a robot with a map dispatcher to see its 3D map.");
   } else if (!offered) {
-    absence = sentences::whyAbsent(robot::Capability::Dispatch,
-                                   session->robot().whyNot(robot::Capability::Dispatch));
+    absence = sentences::absenceReason(robot::Capability::Dispatch,
+                                       session->robot().unavailableReason(robot::Capability::Dispatch));
   }
   dock_->setAbsence(absence);
   using robot::DispatchService;
   CloudOffer offer;
-  offer.why_not = dock_->voxels() ? tr("This robot does not offer a cloud of its occupied cells.")
-                                  : tr("This robot does not offer a cloud of its points.");
+  offer.unavailable_reason = dock_->voxels() ? tr("This robot does not offer a cloud of its occupied cells.")
+                                             : tr("This robot does not offer a cloud of its points.");
   if (offered) {
     // It may have appeared only now.
     connect(offered, &robot::MapDispatch::offersChanged, this, &CloudsController::refreshOffer,

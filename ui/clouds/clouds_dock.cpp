@@ -201,10 +201,10 @@ void CloudsDock::setOutcome(const QString& sentence, bool bad) {
 void CloudsDock::refresh() {
   for (QPushButton* const button : {view_, region_}) {
     button->setEnabled(!busy_ && offer_.region);
-    button->setToolTip(offer_.region ? QString() : plainToolTip(offer_.why_not));
+    button->setToolTip(offer_.region ? QString() : plainToolTip(offer_.unavailable_reason));
   }
   whole_->setEnabled(!busy_ && offer_.whole);
-  whole_->setToolTip(offer_.whole ? QString() : plainToolTip(offer_.why_not));
+  whole_->setToolTip(offer_.whole ? QString() : plainToolTip(offer_.unavailable_reason));
   save_->setEnabled(has_clouds_);
   clear_->setEnabled(has_clouds_);
 }

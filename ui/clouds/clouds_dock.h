@@ -23,7 +23,7 @@ namespace mapwright::window {
 /// What can be requested now, by kind; and why not, for a tooltip.
 struct CloudOffer {
   bool whole = false, region = false;
-  QString why_not;  // what is missing
+  QString unavailable_reason;  // what is missing
 };
 
 class CloudsDock : public QDockWidget {

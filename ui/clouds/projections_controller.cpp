@@ -158,8 +158,8 @@ void ProjectionsController::follow() {
   if (!session) {
     absence = tr("Connect to a robot with a map dispatcher to see its projections.");
   } else if (!offered) {
-    absence = sentences::whyAbsent(robot::Capability::Dispatch,
-                                   session->robot().whyNot(robot::Capability::Dispatch));
+    absence = sentences::absenceReason(robot::Capability::Dispatch,
+                                       session->robot().unavailableReason(robot::Capability::Dispatch));
   } else if (!offered->offered(DispatchService::ReadProjections) &&
              !offered->offered(DispatchService::ChangeProjections)) {
     absence = tr("This robot has no service for projections (set_map_projections).");
@@ -264,13 +264,13 @@ void ProjectionsController::send() {
   const ProjectionDraft::List wanted = draft_.wanted();
   call_ = offered->project(
       wanted, [this, wanted, asked = ++asked_](const robot::Outcome<ProjectionDraft::List>& outcome) {
-        if (asked == asked_) takeSet(wanted, outcome);
+        if (asked == asked_) onSet(wanted, outcome);
       });
   refresh();
 }
 
-void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
-                                    const robot::Outcome<ProjectionDraft::List>& outcome) {
+void ProjectionsController::onSet(const ProjectionDraft::List& wanted,
+                                  const robot::Outcome<ProjectionDraft::List>& outcome) {
   call_ = {};
   tried_ = true;  // it has just been reported
   dock_->setBusy(false);

@@ -45,7 +45,7 @@ class ProjectionsController : public Controller {
   void refresh();
   void askWhenSeen();
   void take(const robot::Outcome<ProjectionDraft::List>& outcome);
-  void takeSet(const ProjectionDraft::List& wanted, const robot::Outcome<ProjectionDraft::List>& outcome);
+  void onSet(const ProjectionDraft::List& wanted, const robot::Outcome<ProjectionDraft::List>& outcome);
   void add(const geometry::WorldRect& rect);
   bool editable() const;
 

@@ -139,17 +139,17 @@ QAction* Actions::find(const QString& id) const {
 
 void Actions::setSession(robot::Robot* robot) {
   for (QAction* action : need_session_) action->setEnabled(robot != nullptr);
-  noteCapabilities(robot);
+  updateCapabilities(robot);
 }
 
-void Actions::noteCapabilities(robot::Robot* robot) {
+void Actions::updateCapabilities(robot::Robot* robot) {
   for (const auto& [action, capability] : need_of_robot_) {
     // Robots tell what they can do once they are connected.
     const bool told =
         robot && (robot->isLocal() || robot->connection().phase == robot::ConnectionPhase::Online);
     const bool lacks = told && !robot::has(*robot, capability);
     allow(action, robot && !lacks,
-          lacks ? sentences::whyAbsent(capability, robot->whyNot(capability)) : QString());
+          lacks ? sentences::absenceReason(capability, robot->unavailableReason(capability)) : QString());
   }
 }
 

@@ -160,7 +160,7 @@ class Actions : public QObject {
   /// Disables actions that need a session while there is none. Null: nothing is open.
   void setSession(robot::Robot* robot);
   /// It may have gained or lost a capability.
-  void noteCapabilities(robot::Robot* robot);
+  void updateCapabilities(robot::Robot* robot);
 
   /// Activates the shortcuts: those of Reach::Map on `map`, the others on `window`.
   void attach(QWidget* window, QWidget* map);

@@ -316,11 +316,11 @@ QDoubleSpinBox* numberField(QWidget* parent, const NumberField& field) {
   return box;
 }
 
-void allow(QAction* action, bool allowed, const QString& why_not) {
+void allow(QAction* action, bool allowed, const QString& unavailable_reason) {
   action->setEnabled(allowed);
   if (!action->property("tip").isValid()) action->setProperty("tip", action->toolTip());
   const QString tip = action->property("tip").toString();
-  action->setToolTip(allowed || why_not.isEmpty() ? tip : plainToolTip(why_not));
+  action->setToolTip(allowed || unavailable_reason.isEmpty() ? tip : plainToolTip(unavailable_reason));
 }
 
 }  // namespace mapwright::window

@@ -213,6 +213,6 @@ struct NumberField {
 QDoubleSpinBox* numberField(QWidget* parent, const NumberField& field);
 
 /// While it is not allowed its tooltip says why, if that is known.
-void allow(QAction* action, bool allowed, const QString& why_not);
+void allow(QAction* action, bool allowed, const QString& unavailable_reason);
 
 }  // namespace mapwright::window

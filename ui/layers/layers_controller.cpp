@@ -89,7 +89,7 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
     if (const session::Session* const session = context_.current.session())
       saveTopics(choices, session->robot().address(), context_.settings);
   });
-  connect(presets_, &PresetMenu::chosen, this, &LayersController::takePreset);
+  connect(presets_, &PresetMenu::chosen, this, &LayersController::applyPreset);
   connect(dock_, &LayersDock::zoomWanted, this, &LayersController::zoomTo);
   connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
     if (!context_.current.session()) endMode();
@@ -246,14 +246,14 @@ void LayersController::syncModes() {
     action->setChecked(mode == which);
     const bool possible = !only_whole || which == ViewMode::Whole;
     action->setEnabled(possible);
-    action->setToolTip(
-        possible ? action->property("tip").toString()
-                 : plainToolTip(sentences::whyAbsent(robot::Capability::Submaps,
-                                                     session->robot().whyNot(robot::Capability::Submaps))));
+    action->setToolTip(possible ? action->property("tip").toString()
+                                : plainToolTip(sentences::absenceReason(
+                                      robot::Capability::Submaps,
+                                      session->robot().unavailableReason(robot::Capability::Submaps))));
   }
 }
 
-void LayersController::takePreset() {
+void LayersController::applyPreset() {
   dock_->forgetSolo();
   // A preset made with another robot may show submaps that this one does not have.
   session::Session* const session = context_.current.session();

@@ -42,7 +42,7 @@ class LayersController : public Controller {
   void addColors();
   void sync();
   void syncModes();
-  void takePreset();
+  void applyPreset();
   void zoomTo(scene::Layer layer);
   void beginMode(session::Session& session);
   void sayColors(session::Session* session);

@@ -73,7 +73,7 @@ LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
   setWidget(whole);
   place();
   connect(scene_, &scene::MapScene::layersChanged, this, &LayersDock::sync);
-  noteCounts();
+  updateCounts();
 }
 
 void LayersDock::makeHead() {
@@ -143,25 +143,25 @@ void LayersDock::setSession(session::Session* session) {
   if (session_) session_->robot().disconnect(this);
   session_ = session;
   if (session) {
-    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &LayersDock::noteAvailability);
+    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &LayersDock::updateAvailability);
   }
-  noteAvailability();
+  updateAvailability();
 }
 
-void LayersDock::noteAvailability() {
+void LayersDock::updateAvailability() {
   bool changed = false;
   for (LayerRow* row : rows_) {
     const QString reason = session_ ? scene::specOf(row->layer()).why_empty(session_->robot()) : QString();
     changed |= reason != row->unavailable();
     row->setUnavailable(reason);
-    noteTopics(row);
+    updateTopics(row);
   }
   if (!changed) return;
   place();
-  noteCounts();
+  updateCounts();
 }
 
-void LayersDock::noteTopics(LayerRow* row) {
+void LayersDock::updateTopics(LayerRow* row) {
   const auto stream = scene::chosenStream(row->layer());
   if (!stream) return;
   robot::OffersTopics* const of = session_ ? robot::topicsOfferedBy(session_->robot()) : nullptr;
@@ -183,7 +183,7 @@ void LayersDock::chooseTopic(map::Stream stream, const QString& topic) {
     choices[stream] = topic;
   }
   of->choose(choices);
-  noteAvailability();
+  updateAvailability();
   Q_EMIT topicsChosen(choices);
 }
 
@@ -236,7 +236,7 @@ void LayersDock::placeUnavailable() {
   std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(lacking),
                [this](const LayerRow* row) { return !row->unavailable().isEmpty() && fits(*row); });
   if (lacking.empty()) return;
-  const bool files = session_ && session_->robot().whyNot(robot::Capability::Live).reason ==
+  const bool files = session_ && session_->robot().unavailableReason(robot::Capability::Live).reason ==
                                      robot::Absence::Reason::LocalFiles;
   const auto count = qint64(lacking.size());
   const int form = sentences::formOf(count);
@@ -271,7 +271,7 @@ QStringList LayersDock::reasonsShown() const {
   return texts;
 }
 
-void LayersDock::noteCounts() {
+void LayersDock::updateCounts() {
   for (const auto& [group, header] : headers_) {
     int all = 0, shown = 0;
     for (const LayerRow* const row : rows_) {
@@ -294,7 +294,7 @@ void LayersDock::sync() {
     place();
   }
   for (LayerRow* row : rows_) row->sync();
-  noteCounts();
+  updateCounts();
 }
 
 void LayersDock::setGrouped(bool grouped) {
@@ -385,7 +385,7 @@ void LayersDock::toggleSolo(Layer layer) {
   }
   solo_->layer = layer;
   scene_->setLayersVisible({layer});
-  noteSolo();
+  updateSolo();
 }
 
 std::optional<Layer> LayersDock::solo() const { return solo_ ? std::optional(solo_->layer) : std::nullopt; }
@@ -399,10 +399,10 @@ void LayersDock::endSolo() {
 
 void LayersDock::forgetSolo() {
   solo_.reset();
-  noteSolo();
+  updateSolo();
 }
 
-void LayersDock::noteSolo() {
+void LayersDock::updateSolo() {
   if (solo_) solo_text_->setText(tr("Only: %1").arg(scene::layerTitle(solo_->layer)));
   solo_strip_->setVisible(solo_.has_value());
 }

@@ -87,14 +87,14 @@ class LayersDock : public QDockWidget {
   };
   void makeRows();
   void makeHead();
-  void noteAvailability();
-  void noteTopics(LayerRow* row);
+  void updateAvailability();
+  void updateTopics(LayerRow* row);
   void chooseTopic(map::Stream stream, const QString& topic);
   void place();
   void placeUnavailable();
   void put(QWidget* widget);
-  void noteCounts();
-  void noteSolo();
+  void updateCounts();
+  void updateSolo();
   bool fits(const LayerRow& row) const;
   /// Those that a row can be moved among: the rows on screen of its group, without groups all of them.
   std::vector<LayerRow*> peers(const LayerRow* row) const;

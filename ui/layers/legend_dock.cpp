@@ -73,12 +73,12 @@ void LegendDock::setSession(session::Session* session) {
   grids_.clear();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &LegendDock::refreshSoon);
-    connect(&session->layerGrids(), &session::LayerGrids::changed, this, &LegendDock::noteGrid);
+    connect(&session->layerGrids(), &session::LayerGrids::changed, this, &LegendDock::updateGrid);
   }
   refreshSoon();
 }
 
-void LegendDock::noteGrid(map::GridKind kind) {
+void LegendDock::updateGrid(map::GridKind kind) {
   const session::LayerGrid* const grid = session_ ? session_->layerGrids().find(kind) : nullptr;
   if (!grid) return;
   const std::pair meaning(grid->picture.palette.empty(), grid->picture.indices->code());

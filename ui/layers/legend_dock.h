@@ -29,7 +29,7 @@ class LegendDock : public QDockWidget {
  private:
   void refreshSoon();
   void refresh();
-  void noteGrid(map::GridKind kind);
+  void updateGrid(map::GridKind kind);
 
   scene::MapScene* scene_;
   QPointer<session::Session> session_;

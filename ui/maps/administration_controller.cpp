@@ -280,9 +280,9 @@ std::string ChangeDialog::place() const {
 QString ChangeDialog::textShown() const { return text_->text(); }
 QString ChangeDialog::errorShown() const { return error_->text(); }
 
-QString ChangeDialog::whyNot() const {
+QString ChangeDialog::unavailableReason() const {
   if (name_) {
-    if (QString why = jobs::whyNoMapName(name_->text()); !why.isEmpty()) return why;
+    if (QString why = jobs::noMapNameReason(name_->text()); !why.isEmpty()) return why;
     if (question_.order.change == robot::MapChange::Rename && name_->text() == *question_.name)
       return tr("It already has this name.");
   }
@@ -292,7 +292,7 @@ QString ChangeDialog::whyNot() const {
 }
 
 void ChangeDialog::check() {
-  const QString why = whyNot();
+  const QString why = unavailableReason();
   // The initial text is not an error yet.
   const bool touched = (name_ && name_->isModified()) || (typed_ && !typed_->text().isEmpty());
   accept_->setEnabled(why.isEmpty() && !waiting());
@@ -305,7 +305,7 @@ void ChangeDialog::check() {
 }
 
 void ChangeDialog::send() {
-  if (waiting() || !whyNot().isEmpty()) return;
+  if (waiting() || !unavailableReason().isEmpty()) return;
   robot::MapOrder& order = question_.order;
   if (name_) order.name = name_->text().toStdString();
   if (places_) order.place = place();
@@ -446,7 +446,7 @@ void AdministrationController::refresh() {
       obstacle = Obstacle::NothingToSave;
     row.action->setVisible(obstacle != Obstacle::NotOffered);
     const bool over = ended_ && row.change == MapChange::Save;
-    const QString why = obstacle                    ? sentences::whyNotNow(row.change, *obstacle)
+    const QString why = obstacle                    ? sentences::notNowReason(row.change, *obstacle)
                         : !over                     ? QString()
                         : ended_ == MapChange::Save ? tr("The new map is saved.")
                                                     : tr("The mapping was discarded: there is no new map.");
@@ -454,11 +454,11 @@ void AdministrationController::refresh() {
     if (why.isEmpty()) row.action->setToolTip(withUnconfirmed(row.action->toolTip()));
   }
   mapping_dock_->setUnconfirmed(unconfirmed());
-  noteMapping();
+  onMapping();
 }
 
 /// Notices when a mapping begins or ends, whoever did it.
-void AdministrationController::noteMapping() {
+void AdministrationController::onMapping() {
   session::Session* const session = context_.current.session();
   const robot::MapAdministration* const robots = maps();
   if (!session) was_mapping_.reset();  // the robot is being left
@@ -576,7 +576,7 @@ void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
         ask(change, entry_now);
     });
     action->setEnabled(!obstacle);
-    action->setToolTip(obstacle ? plainToolTip(sentences::whyNotNow(entry.change, *obstacle))
+    action->setToolTip(obstacle ? plainToolTip(sentences::notNowReason(entry.change, *obstacle))
                                 : withUnconfirmed({}));
   }
 }
@@ -687,7 +687,7 @@ ToastOffer AdministrationController::offerToLoad(const map::CatalogueEntry& map)
             const map::CatalogueEntry* const entry = session->catalogue().find(key);
             const robot::MapAdministration* const now = maps();
             const auto why = entry && now ? now->obstacle(MapChange::Load, entry) : Obstacle::NotOfThisMap;
-            why ? context_.overlay.toasts()->add(Mark::Bad, sentences::whyNotNow(MapChange::Load, *why))
+            why ? context_.overlay.toasts()->add(Mark::Bad, sentences::notNowReason(MapChange::Load, *why))
                 : ask(MapChange::Load, entry);
           }};
 }

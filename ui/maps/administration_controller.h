@@ -71,7 +71,7 @@ class ChangeDialog : public QDialog {
   void done(const mapwright::map::CatalogueEntry& now, const QString& said, bool as_asked);
 
  private:
-  QString whyNot() const;
+  QString unavailableReason() const;
   std::string place() const;
   void send();
   void take(const Outcome& outcome);
@@ -117,7 +117,7 @@ class AdministrationController : public Controller {
   bool anyFinishedMapping() const;
   void refresh();
   void showMapping();
-  void noteMapping();
+  void onMapping();
   void showNewMap();
 
   WindowContext& context_;

@@ -267,7 +267,7 @@ void ExportDialog::start() {
   };
   if (const auto flaw = grids::flawOf(form())) return askAgain(sentences::wordsOf(*flaw));
   const bool whole = format() != jobs::ExportFormat::ViewPicture && !fromSubmaps() && offer_.whole;
-  const QString missing = whole ? jobs::whyMostlyMissing(*offer_.whole->cells) : QString();
+  const QString missing = whole ? jobs::mostlyMissingReason(*offer_.whole->cells) : QString();
   if (!missing.isEmpty() && !missing_confirmed_) {
     missing_confirmed_ = true;
     return askAgain(tr("%1 Press Export again to write them anyway.").arg(missing));

@@ -89,8 +89,8 @@ std::optional<PicturePlacement> placementFrom(const QString& resolution, const Q
 
 }  // namespace
 
-QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y,
-                       const QString& yaw_deg) {
+QString noPlacementReason(const QString& resolution, const QString& x, const QString& y,
+                          const QString& yaw_deg) {
   const auto cell = numberIn(resolution);
   if (!cell) return PictureDialog::tr("The resolution must be a number in metres, for example 0.05.");
   if (*cell <= 0)
@@ -102,7 +102,7 @@ QString whyNoPlacement(const QString& resolution, const QString& x, const QStrin
   map::GridReference grid;
   grid.resolution_m = placement->resolution_m;
   grid.origin = placement->origin;
-  const auto problem = map::whyUnusable(grid);
+  const auto problem = map::unusableReason(grid);
   return problem ? sentences::sentenceOf(*problem) : QString();
 }
 
@@ -175,7 +175,7 @@ std::optional<PicturePlacement> PictureDialog::placement() const {
 QString PictureDialog::introText() const { return intro_->text(); }
 
 QString PictureDialog::errorText() const {
-  return whyNoPlacement(resolution_->text(), x_->text(), y_->text(), yaw_->text());
+  return noPlacementReason(resolution_->text(), x_->text(), y_->text(), yaw_->text());
 }
 
 void PictureDialog::check() {

@@ -62,7 +62,8 @@ class PictureDialog : public QDialog {
 };
 
 /// Why the input is invalid; empty if it is valid.
-QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y, const QString& yaw_deg);
+QString noPlacementReason(const QString& resolution, const QString& x, const QString& y,
+                          const QString& yaw_deg);
 
 class PicturePlacing : public QObject {
   Q_OBJECT

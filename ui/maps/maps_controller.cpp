@@ -60,8 +60,8 @@ void MapsController::setSession(session::Session* session) {
   listed_.reset();
   if (!session) return;
   connect(&session->catalogue(), &session::Catalogue::changed, this, &MapsController::refreshNotice);
-  connect(&session->wholeMap(), &session::MapSlot::changed, this, &MapsController::noteChange);
-  connect(&session->robot(), &robot::Robot::mapsChanged, this, &MapsController::noteOtherFile);
+  connect(&session->wholeMap(), &session::MapSlot::changed, this, &MapsController::onMapChanged);
+  connect(&session->robot(), &robot::Robot::mapsChanged, this, &MapsController::onOtherFile);
   if (catalogueComesFirst()) context_.panels.suggest(dock_);
 }
 
@@ -113,7 +113,7 @@ void MapsController::openToExport(const map::MapKey& key) {
   open(key);
 }
 
-void MapsController::noteChange() {
+void MapsController::onMapChanged() {
   const session::Session* const session = context_.current.session();
   if (!session || !session->wholeMap().settled()) return;
   const session::MapSlot& slot = session->wholeMap();
@@ -152,7 +152,7 @@ QString MapsController::deletedMap(const session::Session& session) {
   return {};
 }
 
-void MapsController::noteOtherFile() {
+void MapsController::onOtherFile() {
   if (std::exchange(own_change_, false)) return;
   const session::Session* const session = context_.current.session();
   if (!session || !session->robot().isLocal()) return;

@@ -37,8 +37,8 @@ class MapsController : public Controller {
   bool isFetched(const map::MapKey& key) const;
   void forget(const map::MapKey& key);
   void openToExport(const map::MapKey& key);
-  void noteChange();
-  void noteOtherFile();
+  void onMapChanged();
+  void onOtherFile();
   /// What the map on screen is called if the robot listed it and does not any more; otherwise empty.
   QString deletedMap(const session::Session& session);
   void fitNew();

@@ -249,13 +249,14 @@ void MapsDock::refresh() {
                             : QString();
   search_->setEnabled(offered);
   refresh_->setEnabled(offered && !loading);
-  const QString why_not =
-      session_ && !offered
-          ? plainToolTip(sentences::whyAbsent(robot::Capability::Catalogue,
-                                              session_->robot().whyNot(robot::Capability::Catalogue)))
-          : QString();
-  search_->setToolTip(why_not);
-  refresh_->setToolTip(why_not.isEmpty() ? tr("Ask the robot for its maps again") : why_not);
+  const QString unavailable_reason =
+      session_ && !offered ? plainToolTip(sentences::absenceReason(
+                                 robot::Capability::Catalogue,
+                                 session_->robot().unavailableReason(robot::Capability::Catalogue)))
+                           : QString();
+  search_->setToolTip(unavailable_reason);
+  refresh_->setToolTip(unavailable_reason.isEmpty() ? tr("Ask the robot for its maps again")
+                                                    : unavailable_reason);
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
   retry_->setVisible(!error.isEmpty() && !loading);
@@ -277,8 +278,8 @@ void MapsDock::refresh() {
 QString MapsDock::emptyText() const {
   if (!session_) return tr("Connect to a robot to see its maps, or open a map file (Ctrl+Shift+O).");
   if (!session_->catalogue().offered()) {
-    return sentences::whyAbsent(robot::Capability::Catalogue,
-                                session_->robot().whyNot(robot::Capability::Catalogue));
+    return sentences::absenceReason(robot::Capability::Catalogue,
+                                    session_->robot().unavailableReason(robot::Capability::Catalogue));
   }
   if (session_->catalogue().loading() || session_->catalogue().failure()) return {};
   if (model_->maps() == 0) {

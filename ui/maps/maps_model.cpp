@@ -183,12 +183,12 @@ QPixmap MapsModel::thumbnail(const map::MapKey& key) const {
 
 bool MapsModel::local() const { return session_ && session_->robot().isLocal(); }
 
-QString MapsModel::whyNoPicture(const Row& row) const {
+QString MapsModel::noPictureReason(const Row& row) const {
   if (row.kind != RowKind::Map || !session_) return {};
   const session::Catalogue& catalogue = session_->catalogue();
   const map::CatalogueEntry* const entry = catalogue.find(row.key);
   if (entry && !entry->has_thumbnail) return QLatin1Char('\n') + tr("This robot sends no preview of it.");
-  const map::Failure* const why = catalogue.whyNoThumbnail(row.key);
+  const map::Failure* const why = catalogue.noThumbnailReason(row.key);
   return why ? QLatin1Char('\n') + QString::fromStdString(sentences::sentenceOf(*why)) : QString();
 }
 
@@ -209,7 +209,7 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
           (local() ? tr("%1\n%2\nDouble-click to open it.")
                    : tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot."))
               .arg(row.title, row.detail) +
-          whyNoPicture(row));
+          noPictureReason(row));
     case Qt::AccessibleTextRole:
       return QStringLiteral("%1, %2%3%4")
           .arg(row.title, row.detail, row.current ? tr(", current") : QString(),

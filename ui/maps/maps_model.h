@@ -60,7 +60,7 @@ class MapsModel : public QAbstractListModel {
   QPixmap thumbnail(const map::MapKey& key) const;
   bool local() const;
   /// A line for the tooltip; empty: there is a picture, or it is on its way.
-  QString whyNoPicture(const Row& row) const;
+  QString noPictureReason(const Row& row) const;
 
   QPointer<session::Session> session_;
   QStringList words_;

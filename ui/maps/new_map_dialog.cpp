@@ -146,8 +146,8 @@ QString NewMapDialog::errorShown() const { return error_->text(); }
 
 void NewMapDialog::check() {
   const jobs::PictureMap now = picture();
-  QString why = jobs::whyNoMapName(now.name);
-  if (why.isEmpty()) why = jobs::whyNoPlaceOfMap(now.resolution_m, now.x_m, now.y_m);
+  QString why = jobs::noMapNameReason(now.name);
+  if (why.isEmpty()) why = jobs::noPlaceOfMapReason(now.resolution_m, now.x_m, now.y_m);
   setTextColor(*error_, why.isEmpty() ? appColors().secondary_text : appColors().error_text);
   error_->setText(!why.isEmpty() || !remark_ ? why : remark_(now.name));
   accept_->setEnabled(why.isEmpty());

@@ -46,7 +46,7 @@ PoseController::PoseController(WindowContext& context, QObject* parent)
                                 .menu = {MenuGroup::Mapping, 5}},
                                this, [this] {
                                  context_.panels.open(dock_);
-                                 if (whyNot().isEmpty()) useTool(true);
+                                 if (unavailableReason().isEmpty()) useTool(true);
                                });
   tool_action_ = context_.actions.add({.id = "setPose",
                                        .text = tr("Place the robo&t"),
@@ -98,12 +98,12 @@ void PoseController::setSession(session::Session* session) {
   refresh();
 }
 
-QString PoseController::whyNot() const {
+QString PoseController::unavailableReason() const {
   session::Session* const session = context_.current.session();
   if (!session) return tr("There is no robot.");
   if (!localization())
-    return sentences::whyAbsent(robot::Capability::Localization,
-                                session->robot().whyNot(robot::Capability::Localization));
+    return sentences::absenceReason(robot::Capability::Localization,
+                                    session->robot().unavailableReason(robot::Capability::Localization));
   if (session->connection().phase != robot::ConnectionPhase::Online) return tr("The robot is not connected.");
   if (context_.scene.robotPlace().where == map::Whereabouts::Elsewhere)
     return tr("The map on screen is not the one that the robot uses: show that one first.");
@@ -112,7 +112,7 @@ QString PoseController::whyNot() const {
 
 void PoseController::refresh() {
   session::Session* const session = context_.current.session();
-  const QString why = whyNot();
+  const QString why = unavailableReason();
   open_->setVisible(!session || localization());
   dock_->setObstacle(why);
   allow(tool_action_, why.isEmpty(), why);
@@ -138,7 +138,7 @@ void PoseController::useTool(bool on) {
 void PoseController::set(const geometry::Pose2& pose, bool adjust) {
   robot::Localization* const robots = localization();
   if (!robots || !call_.over()) return;
-  if (const QString why = jobs::whyNoPose(pose); !why.isEmpty())
+  if (const QString why = jobs::noPoseReason(pose); !why.isEmpty())
     return dock_->setOutcome(why, PoseDock::Outcome::Bad);
   proposed_.reset();
   dock_->setWaiting(true, tr("Waiting for the robot to say where it is…"));

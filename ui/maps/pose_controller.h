@@ -36,7 +36,7 @@ class PoseController : public Controller {
   void set(const geometry::Pose2& pose, bool adjust);
   void find();
   void refresh();
-  QString whyNot() const;
+  QString unavailableReason() const;
 
   WindowContext& context_;
   PoseDock* dock_;

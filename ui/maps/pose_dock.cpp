@@ -35,7 +35,7 @@ PoseDock::PoseDock(QWidget* parent)
                             const QString& unit) {
     QDoubleSpinBox* const box = numberField(this, {-most, most, decimals, step, unit, name, 90});
     box->setKeyboardTracking(false);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &PoseDock::takeTyped);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &PoseDock::applyTyped);
     return box;
   };
   constexpr double kFarthestM = 1e7;
@@ -140,7 +140,7 @@ QString PoseDock::outcomeShown() const { return outcome_->text(); }
 QString PoseDock::warningShown() const { return warning_->text(); }
 QString PoseDock::presentShown() const { return present_->text(); }
 
-void PoseDock::takeTyped() {
+void PoseDock::applyTyped() {
   if (setting_) return;
   has_pose_ = true;
   allowAll();

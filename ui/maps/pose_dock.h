@@ -59,7 +59,7 @@ class PoseDock : public QDockWidget {
   void cancelWanted();
 
  private:
-  void takeTyped();
+  void applyTyped();
   void show(const geometry::Pose2& pose);
   void allowAll();
 

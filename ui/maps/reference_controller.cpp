@@ -176,7 +176,7 @@ void ReferenceController::placeChanged() {
   const QString address = kept().value(QLatin1String("map")).toString();
   // What was laid before it was known where the robot is stays, unless something is remembered for here.
   if (address.isEmpty() && !address_.isEmpty()) return remember();
-  takeLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
+  onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
   load(address);
 }
 
@@ -223,7 +223,7 @@ void ReferenceController::lay(const QString& address) {
   coming_->connectToRobot();
   source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
     if (!answer) return tell(answer.error());
-    takeLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
+    onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
     address_ = address;
     reader_ = std::move(coming_);
     slot_.clear();
@@ -241,7 +241,7 @@ QJsonObject ReferenceController::kept() const {
   return QJsonDocument::fromJson(context_.settings.value(keyOf(place_)).toString().toUtf8()).object();
 }
 
-void ReferenceController::takeLaid(const QJsonObject& laid) {
+void ReferenceController::onLaid(const QJsonObject& laid) {
   const QJsonArray pose = laid.value(QLatin1String("pose")).toArray();
   laid_ = {};
   forgetSteps();

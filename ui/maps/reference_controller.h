@@ -66,7 +66,7 @@ class ReferenceController : public Controller {
   void placeChanged();
   void remember();
   QJsonObject kept() const;  // what is remembered for this place
-  void takeLaid(const QJsonObject& laid);
+  void onLaid(const QJsonObject& laid);
   void tell(const map::Failure& failure);
 
   WindowContext& context_;

@@ -40,7 +40,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   const auto field = [this](const QString& name, double most, const QString& unit) {
     QDoubleSpinBox* const box = numberField(this, {-most, most, 3, 0.05, unit, name, 90});
     box->setKeyboardTracking(false);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &ReferenceDock::takeTyped);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &ReferenceDock::applyTyped);
     return box;
   };
   constexpr double kFarthestM = 1e7;
@@ -126,7 +126,7 @@ void ReferenceDock::setTool(bool moving, bool pairing) {
 
 QString ReferenceDock::told() const { return told_->text(); }
 
-void ReferenceDock::takeTyped() {
+void ReferenceDock::applyTyped() {
   if (setting_) return;
   Q_EMIT typed(
       {x_->value(), y_->value(), geometry::normalizeAngle(geometry::radiansFromDegrees(yaw_->value()))});

@@ -52,7 +52,7 @@ class ReferenceDock : public QDockWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void takeTyped();
+  void applyTyped();
   void removeSelected();
 
   PlainLabel *map_, *told_;

@@ -46,7 +46,7 @@ QString folderFor(const QString& parent, const map::CatalogueEntry& map) {
   for (int number = 1;; ++number) {
     const QString folder =
         QDir(parent).filePath(number == 1 ? name : QStringLiteral("%1-%2").arg(name).arg(number));
-    if (jobs::whyNoMapFolder(folder, false).isEmpty()) return folder;
+    if (jobs::noMapFolderReason(folder, false).isEmpty()) return folder;
   }
 }
 
@@ -329,14 +329,14 @@ void TransferController::send(const robot::NewMap& map) {
       QMetaObject::invokeMethod(
           this,
           [this, asked, odd, also, name = plainWords(held.facts.name, 80)] {
-            if (asked == asked_ && dialog_) tellAdded(name, odd, also);
+            if (asked == asked_ && dialog_) reportAdded(name, odd, also);
           },
           Qt::QueuedConnection);
     });
   }));
 }
 
-void TransferController::tellAdded(const QString& name, const QStringList& odd, const QString& also) {
+void TransferController::reportAdded(const QString& name, const QStringList& odd, const QString& also) {
   context_.overlay.toasts()->add(
       odd.isEmpty() ? Mark::Good : Mark::Warning,
       (odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}

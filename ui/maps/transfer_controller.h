@@ -71,7 +71,7 @@ class TransferController : public Controller {
   void add(const QString& title, const QString& what,
            std::function<tl::expected<robot::NewMap, QString>()> read);
   void send(const robot::NewMap& map);
-  void tellAdded(const QString& name, const QStringList& odd, const QString& also);
+  void reportAdded(const QString& name, const QStringList& odd, const QString& also);
   /// A remark that other maps of the robot have this name; empty if none has.
   QString alsoCalledSo(const QString& name) const;
   void begin(const QString& title, const QString& what);

@@ -255,9 +255,9 @@ void OverlayEditing::rebase(const OverlayDocument& theirs) {
   Q_EMIT changed();
 }
 
-void OverlayEditing::noteSaved() {
+void OverlayEditing::markSaved() {
   gesture_ = 0;
-  document_.noteSaved();
+  document_.markSaved();
   Q_EMIT changed();
 }
 
@@ -266,12 +266,13 @@ void OverlayEditing::keepMine(const EditingDocument::Conflict& conflict) {
   Q_EMIT changed();
 }
 
-void OverlayEditing::takeTheirs(const EditingDocument::Conflict& conflict) {
-  record(tr("take their version"), [&] { document_.takeTheirs(conflict); });
+void OverlayEditing::useTheirs(const EditingDocument::Conflict& conflict) {
+  record(tr("take their version"), [&] { document_.useTheirs(conflict); });
 }
 
-void OverlayEditing::takeUp(const OverlayDocument& base, const OverlayDocument& mine, const QString& text) {
-  record(text, [&] { document_.takeUp(base, mine); });
+void OverlayEditing::restoreDraft(const OverlayDocument& base, const OverlayDocument& mine,
+                                  const QString& text) {
+  record(text, [&] { document_.restoreDraft(base, mine); });
 }
 
 void OverlayEditing::revert() {

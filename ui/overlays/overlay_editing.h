@@ -85,11 +85,11 @@ class OverlayEditing : public QObject {
 
   // What the robot holds (overlays/editing_document.h).
   void rebase(const overlays::OverlayDocument& theirs);
-  void noteSaved();
+  void markSaved();
   void keepMine(const overlays::EditingDocument::Conflict& conflict);
-  void takeTheirs(const overlays::EditingDocument::Conflict& conflict);
-  void takeUp(const overlays::OverlayDocument& base, const overlays::OverlayDocument& mine,
-              const QString& text);
+  void useTheirs(const overlays::EditingDocument::Conflict& conflict);
+  void restoreDraft(const overlays::OverlayDocument& base, const overlays::OverlayDocument& mine,
+                    const QString& text);
   /// All as the robot holds it; can be undone.
   void revert();
   /// The features of `version`, as one step; those that are the same stay as they are.

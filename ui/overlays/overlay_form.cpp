@@ -128,7 +128,7 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
   connect(editing_, &OverlayEditing::previewChanged, this, [this] {
     if (shown_) refresh();
   });
-  connect(name_, &QLineEdit::editingFinished, this, &OverlayForm::takeName);
+  connect(name_, &QLineEdit::editingFinished, this, &OverlayForm::applyName);
   connect(type_, &QComboBox::activated, this, [this] {
     const int type = type_->currentData().toInt();
     editing_->changeSelected(editing_->saying(tr("change the type of %1")),
@@ -141,7 +141,7 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
     });
   });
   connect(properties_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
-    if (!refreshing_ && changed == kValueColumn) takeValue(row);
+    if (!refreshing_ && changed == kValueColumn) applyValue(row);
   });
   connect(properties_, &QTableWidget::itemSelectionChanged, this,
           [this] { remove_->setEnabled(isEnabled() && !properties_->selectedItems().isEmpty()); });
@@ -167,7 +167,7 @@ void OverlayForm::say(const QString& problem) {
 void OverlayForm::refresh() {
   const auto key = editing_->only();
   if (key != shown_) {
-    takeName();  // of the one before
+    applyName();  // of the one before
     name_->setModified(false);
     new_key_->clear();
     say({});
@@ -282,7 +282,7 @@ void OverlayForm::showRows(const std::vector<std::pair<QString, QString>>& rows)
   }
 }
 
-void OverlayForm::takeName() {
+void OverlayForm::applyName() {
   const Feature* const now = feature();
   if (refreshing_ || !now || !name_->isModified()) return;
   name_->setModified(false);
@@ -291,7 +291,7 @@ void OverlayForm::takeName() {
   editing_->set(*shown_, set, tr("rename %1").arg(overlayCalled(*now)));
 }
 
-void OverlayForm::takeValue(int row) {
+void OverlayForm::applyValue(int row) {
   if (editing_->selected().empty()) return;
   const QString shown_key = properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString();
   const std::string key = shown_key.toStdString();

@@ -44,8 +44,8 @@ class OverlayForm : public QWidget {
   /// Those that all of several selected ones have.
   void showCommon();
   void showRows(const std::vector<std::pair<QString, QString>>& rows);
-  void takeName();
-  void takeValue(int row);
+  void applyName();
+  void applyValue(int row);
   void addProperty();
   void removeProperty();
   void say(const QString& problem);

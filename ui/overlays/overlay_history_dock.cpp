@@ -206,14 +206,14 @@ void OverlayHistoryDock::lookAnew() {
     if (asked != listed_) return;
     read_ = true;
     if (!versions) {
-      takeVersions({});
+      onVersions({});
       return say(sentences::sentenceOf(versions.error()));
     }
-    takeVersions(std::move(*versions));
+    onVersions(std::move(*versions));
   });
 }
 
-void OverlayHistoryDock::takeVersions(std::vector<KeptVersion> versions) {
+void OverlayHistoryDock::onVersions(std::vector<KeptVersion> versions) {
   const auto numbers = [](const std::vector<KeptVersion>& of) {
     std::vector<std::int64_t> all;
     for (const KeptVersion& version : of) all.push_back(version.number);
@@ -408,7 +408,7 @@ void OverlayHistoryDock::fetch(std::function<void(const KeptVersion& version, st
   });
 }
 
-QString OverlayHistoryDock::whyNotBack() const {
+QString OverlayHistoryDock::notBackReason() const {
   const auto rows = rowsSelected();
   if (rows.size() != 1) return tr("Select one version first");
   const auto open = open_ ? open_() : std::nullopt;
@@ -418,12 +418,13 @@ QString OverlayHistoryDock::whyNotBack() const {
 }
 
 void OverlayHistoryDock::refresh() {
-  const QString why_not = whyNotBack();
-  bring_back_->setEnabled(why_not.isEmpty());
+  const QString unavailable_reason = notBackReason();
+  bring_back_->setEnabled(unavailable_reason.isEmpty());
   bring_back_->setToolTip(
-      why_not.isEmpty() ? tr("Makes the open overlays what they were then: one step that can be undone. "
-                             "Nothing is sent before the review")
-                        : why_not);
+      unavailable_reason.isEmpty()
+          ? tr("Makes the open overlays what they were then: one step that can be undone. "
+               "Nothing is sent before the review")
+          : unavailable_reason);
   const std::size_t selected = rowsSelected().size();
   save_as_->setEnabled(selected == 1);
   against_->setEnabled(selected < 2);

@@ -70,7 +70,7 @@ class OverlayHistoryDock : public QDockWidget {
     std::vector<OverlayMark> marks;
   };
   void lookAnew();
-  void takeVersions(std::vector<history::KeptVersion> versions);
+  void onVersions(std::vector<history::KeptVersion> versions);
   void fillMaps();
   void fillTable();
   void summarize(std::size_t from);
@@ -78,7 +78,7 @@ class OverlayHistoryDock : public QDockWidget {
   void compare();
   void showCompared(std::vector<Told> changes, const QString& about);
   void refresh();
-  QString whyNotBack() const;
+  QString notBackReason() const;
   QString called(const history::KeptVersion& version) const;
   void fetch(std::function<void(const history::KeptVersion& version, std::string text)> then);
   void say(const QString& sentence);

@@ -122,7 +122,7 @@ std::optional<geometry::Pose2> OverlayTeaching::robotPose() const {
   return session_->live().robot_pose;
 }
 
-QString OverlayTeaching::whyNoRobot() const {
+QString OverlayTeaching::noRobotReason() const {
   if (!editing_->isOpen()) return tr("Open the overlays of a map first.");
   if (!editing_->editable()) return tr("The overlays are being saved.");
   return there_ ? QString() : tr("The robot is not in this map.");
@@ -132,7 +132,7 @@ void OverlayTeaching::refresh() {
   const bool open = editing_->isOpen() && there_ && source() != nullptr;
   if (session_) session_->want(kMarksOwner, {}, open ? source()->topics() : QStringList());
   robot_known_ = robotPose().has_value();
-  const QString why = whyNoRobot();
+  const QString why = noRobotReason();
   allow(place_, why.isEmpty() && robot_known_,
         why.isEmpty() ? tr("The position of the robot is unknown.") : why);
   const QString cannot = !why.isEmpty() ? why
@@ -161,16 +161,17 @@ void OverlayTeaching::look(const Thing& thing) {
   call_ = sees->look(thing.what, thing.edge, [this, &thing](robot::Outcome<robot::Sighting> outcome) {
     // Over only after this.
     QMetaObject::invokeMethod(this, &OverlayTeaching::refresh, Qt::QueuedConnection);
-    if (outcome) return takeSighting(thing, *outcome);
+    if (outcome) return onSighting(thing, *outcome);
     if (outcome.error().kind == map::FailureKind::Cancelled) return;
     context_.overlay.toasts()->add(
-        Mark::Warning, tr("No %1 was added. %2")
-                           .arg(thing.called, QString::fromStdString(sentences::whyOf(outcome.error()))));
+        Mark::Warning,
+        tr("No %1 was added. %2")
+            .arg(thing.called, QString::fromStdString(sentences::failureReason(outcome.error()))));
   });
   refresh();
 }
 
-void OverlayTeaching::takeSighting(const Thing& thing, const robot::Sighting& sighting) {
+void OverlayTeaching::onSighting(const Thing& thing, const robot::Sighting& sighting) {
   if (!editing_->editable()) return;
   const overlays::SeenPlace seen{{sighting.pose.x_m, sighting.pose.y_m},
                                  geometry::degreesFromRadians(sighting.pose.yaw_rad),
@@ -198,7 +199,7 @@ void OverlayTeaching::collect() {
     if (outcome) return offer(*outcome, {});
     if (outcome.error().kind == map::FailureKind::Cancelled) return;
     offer({}, tr("What the robot has collected earlier could not be read. %1")
-                  .arg(QString::fromStdString(sentences::whyOf(outcome.error()))));
+                  .arg(QString::fromStdString(sentences::failureReason(outcome.error()))));
   });
   refresh();
 }
@@ -224,12 +225,12 @@ void OverlayTeaching::offer(const std::vector<map::Landmark>& collected, const Q
   dialog_ =
       new OverlayMarksDialog(overlays::offersOf(editing_->document().mine(), marks), note, &context_.window);
   connect(dialog_, &QDialog::accepted, this, [this] {
-    if (dialog_) takeMarks(dialog_->chosen());
+    if (dialog_) addMarks(dialog_->chosen());
   });
   dialog_->open();
 }
 
-void OverlayTeaching::takeMarks(const std::vector<overlays::MarkOffer>& chosen) {
+void OverlayTeaching::addMarks(const std::vector<overlays::MarkOffer>& chosen) {
   if (chosen.empty() || !editing_->editable()) return;
   const overlays::OverlayDocument among = editing_->document().mine();
   // They may have been changed meanwhile: what is there now counts.

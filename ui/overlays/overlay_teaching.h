@@ -50,13 +50,13 @@ class OverlayTeaching : public QObject {
   void refresh();
   robot::SightingSource* source() const;
   std::optional<geometry::Pose2> robotPose() const;
-  QString whyNoRobot() const;
+  QString noRobotReason() const;
   void addRobotsPlace();
   void look(const Thing& thing);
-  void takeSighting(const Thing& thing, const robot::Sighting& sighting);
+  void onSighting(const Thing& thing, const robot::Sighting& sighting);
   void collect();
   void offer(const std::vector<map::Landmark>& collected, const QString& note);
-  void takeMarks(const std::vector<overlays::MarkOffer>& chosen);
+  void addMarks(const std::vector<overlays::MarkOffer>& chosen);
   void show(const Eigen::Vector2d& at_m);
 
   WindowContext& context_;

@@ -75,8 +75,8 @@ void OverlayTool::addPlace(const Vector2d& at_m, double yaw_deg) {
   editing_->put({point}, {}, tr("add %1").arg(overlayCalled(point)));
 }
 
-void OverlayTool::setWhyNot(const QString& sentence) {
-  if (std::exchange(why_not_, sentence) != sentence) Q_EMIT hintChanged();
+void OverlayTool::setUnavailableReason(const QString& sentence) {
+  if (std::exchange(unavailable_reason_, sentence) != sentence) Q_EMIT hintChanged();
 }
 
 void OverlayTool::deactivate() {
@@ -224,7 +224,8 @@ void OverlayTool::paintTheirs(QPainter& painter) const {
 }
 
 QString OverlayTool::hint() const {
-  if (!editing_->isOpen()) return why_not_.isEmpty() ? tr("Loading the overlays. Esc leaves.") : why_not_;
+  if (!editing_->isOpen())
+    return unavailable_reason_.isEmpty() ? tr("Loading the overlays. Esc leaves.") : unavailable_reason_;
   return editing_->editable() ? hand().hint() : tr("The overlays are being saved.");
 }
 

@@ -29,7 +29,7 @@ class OverlayTool : public MapTool {
   /// heading.
   void addPlace(const Eigen::Vector2d& at_m, double yaw_deg);
   /// Why nothing can be edited at present; empty = it can.
-  void setWhyNot(const QString& sentence);
+  void setUnavailableReason(const QString& sentence);
 
   QString name() const override { return QStringLiteral("overlays"); }
   QCursor cursor() const override { return hand().cursor(); }
@@ -84,7 +84,7 @@ class OverlayTool : public MapTool {
   std::array<DragTool*, kOverlayModes> modes_;  // by OverlayMode
   OverlayMode mode_ = OverlayMode::Select;
   std::array<int, 5> types_{};
-  QString why_not_;
+  QString unavailable_reason_;
   std::optional<Eigen::Vector2d> cursor_m_;
 };
 

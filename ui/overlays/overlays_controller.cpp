@@ -59,7 +59,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
   addHistory();
-  connect(&editing_, &OverlayEditing::changed, this, &OverlaysController::takeChange);
+  connect(&editing_, &OverlayEditing::changed, this, &OverlaysController::onChange);
   connect(tool_, &OverlayTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Overlays, true);
     context_.undo.setActiveStack(&editing_.undoStack());
@@ -82,7 +82,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   });
   connect(dock_, &OverlaysDock::reviewWanted, this, &OverlaysController::save);
   connect(dock_, &OverlaysDock::retryWanted, this, &OverlaysController::read);
-  connect(dock_, &OverlaysDock::draftWanted, this, &OverlaysController::takeDraft);
+  connect(dock_, &OverlaysDock::draftWanted, this, &OverlaysController::restoreDraft);
   connect(dock_, &OverlaysDock::draftNotWanted, this, [this] {
     if (drafts_) drafts_->turnDown();
   });
@@ -139,7 +139,7 @@ void OverlaysController::setSession(session::Session* session) {
   editing_.setInFile(session_ && session_->robot().isLocal());
   if (session_) {
     connect(&session_->mapForChecks(), &session::MapSlot::changed, this, &OverlaysController::refresh);
-    connect(session_, &session::Session::connectionChanged, this, &OverlaysController::noteLink);
+    connect(session_, &session::Session::connectionChanged, this, &OverlaysController::onLink);
     connect(&session_->robot(), &robot::Robot::mapsChanged, this, [this] {
       // Somebody wrote the file, or a file beside it.
       if (editing_.isOpen() && session_->robot().isLocal() && !busy_) read();
@@ -154,12 +154,12 @@ void OverlaysController::setSession(session::Session* session) {
   }
   actions_->teaching()->setSession(session);
   online_ = false;
-  noteLink();
+  onLink();
   syncMap();
 }
 
 /// What could not be read while there was no connection, and what nobody knows since, is looked at again.
-void OverlaysController::noteLink() {
+void OverlaysController::onLink() {
   const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
   const bool came = !std::exchange(online_, online) && online;
   if (came && (failure_ || doubt_)) read();
@@ -254,7 +254,7 @@ void OverlaysController::read() {
     if (opened != opened_) return;
     reading_ = false;
     // While something is being saved it is older than that.
-    if (outcome && !busy_) takeHeld(*outcome, false);
+    if (outcome && !busy_) mergeHeld(*outcome, false);
     if (!outcome && !busy_) failure_ = outcome.error();
     refresh();
     if (std::exchange(read_again_, false)) read();
@@ -262,7 +262,7 @@ void OverlaysController::read() {
   refresh();
 }
 
-void OverlaysController::takeHeld(const robot::OverlayText& text, bool saved) {
+void OverlaysController::mergeHeld(const robot::OverlayText& text, bool saved) {
   if (!session_ || !target_) return;
   held_ = text;
   history_.keep(openMap(), text.version, saved ? history::Origin::Saved : history::Origin::Read, text.text,
@@ -285,7 +285,7 @@ void OverlaysController::takeHeld(const robot::OverlayText& text, bool saved) {
   }
   if (review_) reviewAnew();
   if (std::exchange(doubt_, false))
-    unsaved() ? notSaved(tr("The overlays were not saved: the robot does not hold them.")) : tellHeld();
+    unsaved() ? notSaved(tr("The overlays were not saved: the robot does not hold them.")) : reportHeld();
 }
 
 void OverlaysController::rebase(const OverlayDocument& held) {
@@ -293,7 +293,7 @@ void OverlaysController::rebase(const OverlayDocument& held) {
   if (held.text() == document.base().text()) return;
   const std::size_t before = document.changedThere().size();
   // What was sent is there, or what was not known to be saved turns out to be.
-  if (document.unsaved() && jobs::otherwiseHeld(document.mine(), held).empty()) editing_.noteSaved();
+  if (document.unsaved() && jobs::otherwiseHeld(document.mine(), held).empty()) editing_.markSaved();
   editing_.rebase(held);
   const std::size_t now = document.changedThere().size();
   if (now > before)
@@ -337,20 +337,20 @@ void OverlaysController::save() {
 
 void OverlaysController::carryOut(bool send) {
   robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
-  if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
+  if (!store) return notSaved(tr("The overlays were not saved. %1").arg(unavailableReason()));
   trouble_.clear();
   setBusy(true);
   jobs::OverlayOrder order{target_->map, editing_.document().mine(), editing_.document().base(), send};
   if (send && isStillHeld()) order.held = held_;
   order.seen = [this, opened = opened_](const robot::OverlayText& text, bool saved) {
-    if (opened == opened_) takeHeld(text, saved);
+    if (opened == opened_) mergeHeld(text, saved);
   };
   call_ = jobs::changeOverlays(
       *store, std::move(order),
       [this, send, opened = opened_](const robot::Outcome<jobs::OverlayOutcome>& outcome) {
         if (opened != opened_) return;
         setBusy(false);
-        takeOutcome(outcome, send);
+        onOutcome(outcome, send);
         refresh();
         // What others did meanwhile was told while nobody listened.
         const auto& info = session_ ? session_->live().map_info : std::nullopt;
@@ -402,10 +402,10 @@ void OverlaysController::reviewAnew() {
   unsaved() ? showReview() : onAllSaved();
 }
 
-void OverlaysController::takeOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent) {
+void OverlaysController::onOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent) {
   if (!outcome) {
     const QString why =
-        trouble_.isEmpty() ? QString::fromStdString(sentences::whyOf(outcome.error())) : trouble_;
+        trouble_.isEmpty() ? QString::fromStdString(sentences::failureReason(outcome.error())) : trouble_;
     doubt_ = doubt_ || outcome.error().applied != map::Applied::No;
     return notSaved(doubt_ ? tr("It is not known whether the overlays were saved. %1").arg(why)
                            : tr("The overlays were not saved. %1").arg(why));
@@ -416,18 +416,18 @@ void OverlaysController::takeOutcome(const robot::Outcome<jobs::OverlayOutcome>&
   const QString doubt = jobs::doubtOf(*outcome);
   if (!outcome->differs.empty()) return notSaved(tr("%1 They are still unsaved here.").arg(doubt));
   if (outcome->unreadable.any()) return notSaved(doubt);
-  if (!outcome->sent) return tellHeld();
+  if (!outcome->sent) return reportHeld();
   doubt.isEmpty() ? reportSaving(Mark::Good, tr("Overlays of %1 saved").arg(mapName()))
                   : reportSaving(Mark::Warning, doubt);
   unsaved() ? stay() : onAllSaved();
 }
 
-void OverlaysController::tellHeld() {
+void OverlaysController::reportHeld() {
   reportSaving(Mark::Good, tr("The robot holds the overlays as they are here."));
   onAllSaved();
 }
 
-void OverlaysController::takeChange() {
+void OverlaysController::onChange() {
   onEdited();
   if (drafts_) drafts_->touch();
   ++ways_;
@@ -532,17 +532,17 @@ void OverlaysController::check() {
   });
 }
 
-QString OverlaysController::whyNot() const {
+QString OverlaysController::unavailableReason() const {
   if (!session_) return tr("Connect to a robot to edit the overlays of its maps.");
   constexpr auto kEditing = robot::Capability::OverlayEditing;
   if (!session_->robot().overlayStore())
-    return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
+    return sentences::absenceReason(kEditing, session_->robot().unavailableReason(kEditing));
   if (!target_)
     return session_->robot().isLocal() ? tr("Open a map to edit its overlays.")
                                        : tr("Only stored maps have overlays. Open one in the Maps panel.");
   if (failure_) {
     return trouble_.isEmpty() ? tr("The overlays could not be read. %1")
-                                    .arg(QString::fromStdString(sentences::whyOf(*failure_)))
+                                    .arg(QString::fromStdString(sentences::failureReason(*failure_)))
                               : trouble_;
   }
   return reading_ ? tr("Loading the overlays.") : QString();
@@ -550,15 +550,15 @@ QString OverlaysController::whyNot() const {
 
 void OverlaysController::refresh() {
   readMapToCheck();
-  const QString sentence = whyNot();
-  dock_->setWhyNot(sentence, (failure_ || doubt_) && !busy_);
+  const QString sentence = unavailableReason();
+  dock_->setUnavailableReason(sentence, (failure_ || doubt_) && !busy_);
   QString trouble = trouble_;
   if (trouble.isEmpty() && drafts_) trouble = drafts_->trouble();
   if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;
   dock_->setSaving(busy_, maySave(), editing_.isOpen() ? trouble : QString());
   dock_->setOffer(drafts_ && editing_.isOpen() ? drafts_->offer() : QString());
   updateDecision(editing_.document().conflicts().empty() ? QString() : decideText());
-  tool_->setWhyNot(sentence);
+  tool_->setUnavailableReason(sentence);
   const bool usable = target_.has_value();
   allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
@@ -588,12 +588,12 @@ void OverlaysController::watchDrafts() {
   openDrafts(dock_, std::move(kind));
 }
 
-void OverlaysController::takeDraft() {
+void OverlaysController::restoreDraft() {
   if (!drafts_ || !drafts_->offered() || !editing_.editable()) return;
   MapDrafts::Left left = drafts_->take();
   drafts_->replace(std::move(left.file));
   const auto& draft = std::any_cast<const OverlayDraft&>(left.draft.content);
-  editing_.takeUp(draft.base, draft.mine, tr("restore the draft"));
+  editing_.restoreDraft(draft.base, draft.mine, tr("restore the draft"));
   if (!editing_.document().conflicts().empty()) {
     context_.panels.open(dock_);
     dock_->showConflicts();

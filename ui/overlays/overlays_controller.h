@@ -85,7 +85,7 @@ class OverlaysController : public EditorController {
   bool wanted() const;
   void read();
   /// What the robot holds now comes below what is here. `saved`: what was sent from here is in it.
-  void takeHeld(const robot::OverlayText& text, bool saved);
+  void mergeHeld(const robot::OverlayText& text, bool saved);
   void rebase(const overlays::OverlayDocument& held);
   /// Looks for the review, or sends what was reviewed.
   void carryOut(bool send);
@@ -93,10 +93,10 @@ class OverlaysController : public EditorController {
   /// nothing.
   bool isStillHeld() const;
   void showReview();
-  void takeOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent);
+  void onOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent);
   /// Somebody else did the same, or what was sent and never answered turns out to be there.
-  void tellHeld();
-  void noteLink();
+  void reportHeld();
+  void onLink();
   void setBusy(bool busy);
   void notSaved(const QString& sentence);
   QString decideText() const;
@@ -104,7 +104,7 @@ class OverlaysController : public EditorController {
   /// The review that is open shows what would be sent now, or is closed.
   void reviewAnew();
   QStringList changesToSave() const;
-  void takeChange();
+  void onChange();
   void check();
   /// The whole map that the overlays lie on, read to its end; null: there is none yet.
   const session::MapSlot* mapToCheck() const;
@@ -114,9 +114,9 @@ class OverlaysController : public EditorController {
   overlays::CheckOptions checkOptions() const;
   void showWay(FeatureKey key);
   void refresh();
-  QString whyNot() const;
+  QString unavailableReason() const;
   void watchDrafts();
-  void takeDraft();
+  void restoreDraft();
   void locate(FeatureKey key);
   QString mapName() const;
   void addHistory();

@@ -127,8 +127,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
     if (chosen.rule == overlays::Rule::Unreachable) Q_EMIT wayWanted(chosen.key);
   });
   connect(sorted_, &QAbstractItemModel::modelReset, this, &OverlaysDock::showSelection);
-  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &OverlaysDock::takeSelection);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &OverlaysDock::onSelection);
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     Q_EMIT locateWanted(model_->key(sorted_->mapToSource(index)));
   });
@@ -261,7 +260,7 @@ void OverlaysDock::buildConflict() {
     if (deciding_) editing_->keepMine(*deciding_);
   });
   connect(theirs_, &QPushButton::clicked, this, [this] {
-    if (deciding_) editing_->takeTheirs(*deciding_);
+    if (deciding_) editing_->useTheirs(*deciding_);
   });
   connect(next_, &QPushButton::clicked, this, [this] {
     const auto open = editing_->document().conflicts();
@@ -280,8 +279,8 @@ void OverlaysDock::buildOffer() {
   offer_box_->hide();
 }
 
-void OverlaysDock::setWhyNot(const QString& sentence, bool may_retry) {
-  why_not_ = sentence;
+void OverlaysDock::setUnavailableReason(const QString& sentence, bool may_retry) {
+  unavailable_reason_ = sentence;
   may_retry_ = may_retry;
   refresh();
 }
@@ -406,7 +405,7 @@ std::set<FeatureKey> OverlaysDock::rowsSelected(bool deleted) const {
   return keys;
 }
 
-void OverlaysDock::takeSelection() {
+void OverlaysDock::onSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
   editing_->select(rowsSelected(false));
@@ -447,7 +446,7 @@ QString OverlaysDock::statusText() const {
 }
 
 QString OverlaysDock::emptyText() const {
-  if (!editing_->isOpen()) return why_not_;
+  if (!editing_->isOpen()) return unavailable_reason_;
   if (model_->rowCount() == 0) return tr("There are no overlays on this map yet. Draw one on the map.");
   return sorted_->rowCount() == 0 ? tr("No overlay matches the filter.") : QString();
 }

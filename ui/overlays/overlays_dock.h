@@ -37,7 +37,7 @@ class OverlaysDock : public QDockWidget {
   ~OverlaysDock() override;
 
   /// Why nothing is shown; empty = something is. `may_retry`: reading failed.
-  void setWhyNot(const QString& sentence, bool may_retry);
+  void setUnavailableReason(const QString& sentence, bool may_retry);
   /// The progress or problem of saving; empty = none.
   void setSaving(bool saving, bool may_save, const QString& trouble);
   /// An earlier draft; empty = none.
@@ -102,7 +102,7 @@ class OverlaysDock : public QDockWidget {
   void refreshMode();
   void refreshConflict();
   void showSelection();
-  void takeSelection();
+  void onSelection();
   void showMenu(const QPoint& at);
   std::set<FeatureKey> rowsSelected(bool deleted) const;
   QString statusText() const;
@@ -110,7 +110,7 @@ class OverlaysDock : public QDockWidget {
 
   OverlayEditing* editing_;
   OverlayTool* tool_;
-  QString why_not_, trouble_;
+  QString unavailable_reason_, trouble_;
   bool saving_ = false, may_save_ = false, may_retry_ = false, showing_selection_ = false;
   OverlaysModel* model_;
   OverlayFilter* sorted_;

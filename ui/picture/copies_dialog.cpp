@@ -24,11 +24,11 @@ constexpr int kLongestName = 120;
 
 }  // namespace
 
-CopiesDialog::CopiesDialog(const QString& folder, std::function<QString(const PictureCopy&)> why_not,
-                           QWidget* parent)
+CopiesDialog::CopiesDialog(const QString& folder,
+                           std::function<QString(const PictureCopy&)> unavailable_reason, QWidget* parent)
     : QDialog(parent),
       folder_(folder),
-      why_not_(std::move(why_not)),
+      unavailable_reason_(std::move(unavailable_reason)),
       about_(wrappedLabel({}, this)),
       status_(wrappedLabel({}, this)),
       table_(new QTableWidget(0, 4, this)),
@@ -119,7 +119,7 @@ void CopiesDialog::refresh() {
                       : copies_->empty() ? tr("There are none yet.")
                       : !copy            ? QString()
                       : copy->width == 0 ? tr("This copy cannot be read.")
-                                         : why_not_(*copy);
+                                         : unavailable_reason_(*copy);
   status_->setText(why);
   open_->setEnabled(copy && copy->width > 0);
   show_->setEnabled(copies_ && !copies_->empty());

@@ -19,8 +19,8 @@ namespace mapwright::window {
 class CopiesDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `folder`: of all of them. `why_not`: why a copy cannot be put back now; empty = it can.
-  CopiesDialog(const QString& folder, std::function<QString(const PictureCopy&)> why_not,
+  /// `folder`: of all of them. `unavailable_reason`: why a copy cannot be put back now; empty = it can.
+  CopiesDialog(const QString& folder, std::function<QString(const PictureCopy&)> unavailable_reason,
                QWidget* parent = nullptr);
   /// The newest first.
   void list(std::vector<PictureCopy> copies);
@@ -42,7 +42,7 @@ class CopiesDialog : public QDialog {
   const PictureCopy* chosen() const;  // null = none
 
   QString folder_;
-  std::function<QString(const PictureCopy&)> why_not_;
+  std::function<QString(const PictureCopy&)> unavailable_reason_;
   std::optional<std::vector<PictureCopy>> copies_;
   QLabel *about_, *status_;
   QTableWidget* table_;

@@ -62,11 +62,11 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     if (when_reverted_ && !editing_.reckoning())
       QMetaObject::invokeMethod(this, std::exchange(when_reverted_, nullptr), Qt::QueuedConnection);
   });
-  connect(&editing_, &PictureEditing::stepsForgotten, this, &PictureController::noteForgotten);
+  connect(&editing_, &PictureEditing::stepsForgotten, this, &PictureController::reportForgotten);
   const std::size_t undo_mb =
       std::clamp<std::size_t>(context_.settings.value(kUndoMb, kUsualUndoMb).toUInt(), 16, 65'536);
   editing_.setUndoBudget(undo_mb << 20);
-  connect(&editing_, &PictureEditing::mergeDone, this, &PictureController::noteMerged);
+  connect(&editing_, &PictureEditing::mergeDone, this, &PictureController::onMerged);
   connect(tool_, &PictureTool::activated, this, [this] {
     wanted_map_ = mapInstead();
     if (wanted_map_) session_->openMap(map::MapKey(*wanted_map_));
@@ -95,7 +95,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   });
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
   connect(dock_, &PictureDock::copiesWanted, this, &PictureController::showCopies);
-  connect(dock_, &PictureDock::draftWanted, this, &PictureController::takeDraft);
+  connect(dock_, &PictureDock::draftWanted, this, &PictureController::restoreDraft);
   connect(dock_, &PictureDock::draftNotWanted, this, [this] {
     if (drafts_) drafts_->turnDown();
   });
@@ -167,7 +167,7 @@ void PictureController::syncMap() {
       onMapOpened(key);
       openOnceChecked(*slot);
     } else if (slot->cells() != seen_ && !saving_) {
-      takeOther(*slot);
+      onOtherPicture(*slot);
     }
   }
   refresh();
@@ -244,7 +244,7 @@ void PictureController::watchDrafts() {
   };
   kind.read = [grid = editing_.snapshot()](const QByteArray& bytes) -> std::optional<MapDrafts::Draft> {
     auto draft = pictureDraftFrom(bytes);
-    const auto taken = draft ? window::takeDraft(*draft, *grid) : std::nullopt;
+    const auto taken = draft ? window::restoreDraft(*draft, *grid) : std::nullopt;
     if (!taken) return std::nullopt;
     return MapDrafts::Draft{draft->made, cellsText(taken->cells), std::move(*draft), taken->cells == 0};
   };
@@ -252,13 +252,13 @@ void PictureController::watchDrafts() {
   openDrafts(dock_, std::move(kind));
 }
 
-void PictureController::takeDraft() {
+void PictureController::restoreDraft() {
   if (!drafts_ || !drafts_->offered() || !editing_.isOpen()) return;
   MapDrafts::Left left = drafts_->take();
-  auto taken = window::takeDraft(std::any_cast<const PictureDraft&>(left.draft.content), *editing_.grid());
+  auto taken = window::restoreDraft(std::any_cast<const PictureDraft&>(left.draft.content), *editing_.grid());
   if (!taken) return;
   drafts_->replace(std::move(left.file));
-  editing_.takeUp(std::move(taken->patch), tr("restore the draft"));
+  editing_.applyPatch(std::move(taken->patch), tr("restore the draft"));
   if (taken->elsewhere > 0)
     context_.overlay.toasts()->add(
         Mark::Warning, tr("Since this draft was made, someone else has also changed these parts of the map: "
@@ -267,7 +267,7 @@ void PictureController::takeDraft() {
 }
 
 /// The same map has arrived with another picture: saved here, or changed by someone else.
-void PictureController::takeOther(const MapSlot& slot) {
+void PictureController::onOtherPicture(const MapSlot& slot) {
   seen_ = slot.cells();
   const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
   if (fits && editing_.touched()) {
@@ -277,8 +277,8 @@ void PictureController::takeOther(const MapSlot& slot) {
     const bool latest = revision == revision_;
     const bool known = latest || past_revisions_.contains(revision);
     if (latest || !known) past_revisions_.clear();
-    if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : settleDoubt();
-    editing_.takeIn(seen_, revision);
+    if (known && !editing_.merging()) return again_ ? onMerged(0, revision_) : settleDoubt();
+    editing_.mergeTheirs(seen_, revision);
     return;
   }
   editing_.endStroke();
@@ -323,18 +323,18 @@ bool PictureController::opening() const {
   return on_its_way && slot.key() == *wanted_map_;
 }
 
-void PictureController::noteForgotten() {
+void PictureController::reportForgotten() {
   if (std::exchange(forgetting_reported_, true)) return;
   context_.overlay.toasts()->add(
       Mark::Warning,
       tr("The oldest changes to this map can no longer be undone: that would take too much memory."));
 }
 
-QString PictureController::whyNot() const {
+QString PictureController::unavailableReason() const {
   if (!session_) return tr("Open a map file (Ctrl+Shift+O) to edit its picture.");
   robot::PictureStore* const store = session_->robot().pictureStore();
   constexpr auto kEditing = robot::Capability::PictureEditing;
-  if (!store) return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
+  if (!store) return sentences::absenceReason(kEditing, session_->robot().unavailableReason(kEditing));
   if (editing_.isOpen()) return {};
   if (opening()) return tr("The map is loading.");
   if (const auto key = mapInstead()) {
@@ -360,8 +360,8 @@ QString PictureController::whyNot() const {
 }
 
 void PictureController::refresh() {
-  const QString sentence = whyNot();
-  dock_->setWhyNot(sentence);
+  const QString sentence = unavailableReason();
+  dock_->setUnavailableReason(sentence);
   dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
   dock_->setOffer(drafts_ ? drafts_->offer() : QString());
   updateDecision(editing_.conflicts() > 0 ? decideText() : QString());
@@ -436,7 +436,7 @@ void PictureController::send() {
         QMetaObject::invokeMethod(
             this,
             [this, trouble, opened] {
-              if (opened == opened_) noteCopied(trouble);
+              if (opened == opened_) onCopied(trouble);
             },
             Qt::QueuedConnection);
       });
@@ -453,7 +453,7 @@ void PictureController::showCopies() {
   const QString folder = allCopiesFolder(context_.edit.drafts_folder);
   if (folder.isEmpty()) return;
   copies_ = new CopiesDialog(
-      folder, [this](const PictureCopy& copy) { return whyNotPutBack(copy); }, &context_.window);
+      folder, [this](const PictureCopy& copy) { return notPutBackReason(copy); }, &context_.window);
   copies_->setAttribute(Qt::WA_DeleteOnClose);
   connect(copies_, &CopiesDialog::putBackWanted, this, &PictureController::putBack);
   connect(copies_, &CopiesDialog::openWanted, this, [this](const QString& path) {
@@ -482,18 +482,18 @@ void PictureController::showCopies() {
   });
 }
 
-QString PictureController::whyNotPutBack(const PictureCopy& copy) const {
+QString PictureController::notPutBackReason(const PictureCopy& copy) const {
   if (!session_ || !session_->wholeMap().cells() || copy.folder() != copiesHere())
     return tr("This is a copy of another map. To put it back, open its map from its robot first.");
   if (!editing_.isOpen()) {
-    const QString why = whyNot();
+    const QString why = unavailableReason();
     return why.isEmpty() ? tr("The map is loading.") : why;
   }
   return saving_ ? tr("The map is being saved.") : QString();
 }
 
 void PictureController::putBack(const PictureCopy& copy) {
-  if (!whyNotPutBack(copy).isEmpty()) return;
+  if (!notPutBackReason(copy).isEmpty()) return;
   copies_->accept();
   if (stop_reading_) stop_reading_->store(true);
   stop_reading_ = std::make_shared<std::atomic<bool>>(false);
@@ -503,13 +503,13 @@ void PictureController::putBack(const PictureCopy& copy) {
     QMetaObject::invokeMethod(
         this,
         [this, when, read, opened] {
-          if (opened == opened_) takeCopy(when, *read);
+          if (opened == opened_) onCopyRead(when, *read);
         },
         Qt::QueuedConnection);
   });
 }
 
-void PictureController::takeCopy(const QString& when, const tl::expected<ReadCopy, QString>& read) {
+void PictureController::onCopyRead(const QString& when, const tl::expected<ReadCopy, QString>& read) {
   ToastStack* const toasts = context_.overlay.toasts();
   if (!read) return toasts->add(Mark::Bad, tr("The copy cannot be put back. %1").arg(read.error()));
   const map::GridReference &there = read->place, &here = editing_.reference();
@@ -537,7 +537,7 @@ void PictureController::turnInto(std::shared_ptr<const grids::GridPyramid> cells
                                editing_.stroking() || editing_.reckoning() || editing_.merging();
           if (changed) return turnInto(cells, when);
           const bool any = !patch->empty();
-          if (any) editing_.takeUp(std::move(*patch), tr("put back the copy of %1").arg(when));
+          if (any) editing_.applyPatch(std::move(*patch), tr("put back the copy of %1").arg(when));
           context_.overlay.toasts()->add(
               Mark::Good,
               any ? tr("This is the copy of %1, not saved yet. Ctrl+S sends it, Ctrl+Z takes it back.")
@@ -549,16 +549,16 @@ void PictureController::turnInto(std::shared_ptr<const grids::GridPyramid> cells
 }
 
 /// Without a backup nothing is overwritten.
-void PictureController::noteCopied(const std::optional<Fault>& trouble) {
+void PictureController::onCopied(const std::optional<Fault>& trouble) {
   if (!saving_) return;
   if (!trouble) return write();
   saving_ = false;
-  noteNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
-                     .arg(sentences::wordsOf(*trouble)));
+  reportNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
+                       .arg(sentences::wordsOf(*trouble)));
   syncMap();
 }
 
-void PictureController::noteNotWritten(const QString& sentence, map::Applied applied) {
+void PictureController::reportNotWritten(const QString& sentence, map::Applied applied) {
   stay();
   trouble_ = sentence;
   reportSaving(Mark::Bad,
@@ -605,7 +605,7 @@ void PictureController::write() {
   before_ = editing_.saved();
   write_call_ = store->write({*open_map_, cells, revision_},
                              [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
-                               if (opened == opened_) noteWritten(cells, outcome);
+                               if (opened == opened_) onWritten(cells, outcome);
                              });
   write_call_.onProgress([this, opened = opened_](robot::Progress progress) {
     if (opened != opened_ || !saving_ || !progress.of_bytes || *progress.of_bytes <= 0) return;
@@ -614,15 +614,15 @@ void PictureController::write() {
   refresh();
 }
 
-void PictureController::noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
-                                    const robot::Outcome<robot::PictureReceipt>& outcome) {
+void PictureController::onWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
+                                  const robot::Outcome<robot::PictureReceipt>& outcome) {
   saving_ = false;
   dock_->setTravelled(std::nullopt);
   const bool unknown = !outcome && outcome.error().applied == map::Applied::Maybe;
   if (outcome) {
     past_revisions_.insert(std::exchange(revision_, outcome->revision));
     Q_EMIT written();
-    editing_.noteSaved(cells);
+    editing_.markSaved(cells);
     if (copy_.isEmpty()) {
       reportSaving(Mark::Good, tr("%1 saved").arg(mapName()));
     } else {
@@ -638,12 +638,12 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
              outcome.error().applied == map::Applied::No) {
     stay();
   } else if (unknown) {
-    noteNotWritten(tr("It is not known whether %1 was saved. %2 A message will say so once its picture has "
-                      "been read again.")
-                       .arg(mapName(), QString::fromStdString(sentences::whyOf(outcome.error()))),
-                   map::Applied::Maybe);
+    reportNotWritten(tr("It is not known whether %1 was saved. %2 A message will say so once its picture has "
+                        "been read again.")
+                         .arg(mapName(), QString::fromStdString(sentences::failureReason(outcome.error()))),
+                     map::Applied::Maybe);
   } else {
-    noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())), outcome.error().applied);
+    reportNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())), outcome.error().applied);
   }
   // Changes that arrived during the write were ignored.
   syncMap();
@@ -651,7 +651,7 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
   doubt_ = unknown ? std::optional(Doubt{cells, before_}) : std::nullopt;
 }
 
-void PictureController::noteMerged(qint64 taken, const std::string& revision) {
+void PictureController::onMerged(qint64 taken, const std::string& revision) {
   revision_ = revision;
   trouble_.clear();
   const bool again = std::exchange(again_, false);

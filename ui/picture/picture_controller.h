@@ -60,32 +60,32 @@ class PictureController : public EditorController {
   void syncMap() override;
   void closeMap() override;
   void addActions();
-  void noteForgotten();
+  void reportForgotten();
   void openOnceChecked(const session::MapSlot& slot);
   void openMap(const session::MapSlot& slot);
-  void takeOther(const session::MapSlot& slot);
+  void onOtherPicture(const session::MapSlot& slot);
   void showCells();
   void refresh();
-  QString whyNot() const;
-  void noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
-                   const robot::Outcome<robot::PictureReceipt>& outcome);
-  void noteMerged(qint64 taken, const std::string& revision);
+  QString unavailableReason() const;
+  void onWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
+                 const robot::Outcome<robot::PictureReceipt>& outcome);
+  void onMerged(qint64 taken, const std::string& revision);
   static QString decideText();
   void askToSend();
   void send();
   void write();
-  void noteCopied(const std::optional<Fault>& trouble);
-  void noteNotWritten(const QString& sentence, map::Applied applied = map::Applied::No);
+  void onCopied(const std::optional<Fault>& trouble);
+  void reportNotWritten(const QString& sentence, map::Applied applied = map::Applied::No);
   void settleDoubt();
   void reportDoubt(Mark mark, const QString& sentence);
   QString copiesHere() const;
   void showCopies();
-  QString whyNotPutBack(const PictureCopy& copy) const;
+  QString notPutBackReason(const PictureCopy& copy) const;
   void putBack(const PictureCopy& copy);
-  void takeCopy(const QString& when, const tl::expected<ReadCopy, QString>& read);
+  void onCopyRead(const QString& when, const tl::expected<ReadCopy, QString>& read);
   void turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when);
   void watchDrafts();
-  void takeDraft();
+  void restoreDraft();
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;

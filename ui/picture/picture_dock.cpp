@@ -280,8 +280,8 @@ void PictureDock::buildEnd() {
                QMargins(8, 4, 8, 8)));
 }
 
-void PictureDock::setWhyNot(const QString& sentence) {
-  why_not_ = sentence;
+void PictureDock::setUnavailableReason(const QString& sentence) {
+  unavailable_reason_ = sentence;
   refresh();
 }
 
@@ -355,9 +355,9 @@ QStringList PictureDock::legend() const {
 QString PictureDock::status() const { return status_->text(); }
 
 void PictureDock::refresh() {
-  const bool open = editing_->isOpen() && why_not_.isEmpty();
+  const bool open = editing_->isOpen() && unavailable_reason_.isEmpty();
   empty_->setVisible(!open);
-  empty_->setText(why_not_);
+  empty_->setText(unavailable_reason_);
   body_->setVisible(open);
   end_->setVisible(open);
   if (!open) return;

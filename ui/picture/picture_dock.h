@@ -23,7 +23,7 @@ class PictureDock : public QDockWidget {
   PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* parent = nullptr);
 
   /// Why nothing can be edited; empty = it can.
-  void setWhyNot(const QString& sentence);
+  void setUnavailableReason(const QString& sentence);
   /// The progress or problem of saving; empty = none.
   void setSaving(bool saving, const QString& trouble);
   /// The share of the upload done, 0 .. 1; nullopt = no upload, or unknown.
@@ -37,7 +37,7 @@ class PictureDock : public QDockWidget {
   QSpinBox* tidySize(Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
   QPushButton* tidyButton(Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
   QPushButton* applyButton() const { return apply_; }
-  QPushButton* takeTheirsButton() const { return theirs_; }
+  QPushButton* useTheirsButton() const { return theirs_; }
   /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);
   QPushButton* stopButton() const { return stop_; }
@@ -76,7 +76,7 @@ class PictureDock : public QDockWidget {
 
   PictureEditing* editing_;
   PictureTool* tool_;
-  QString why_not_, trouble_;
+  QString unavailable_reason_, trouble_;
   bool saving_ = false;
   QLabel* empty_;
   QWidget* body_;

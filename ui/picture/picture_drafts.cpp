@@ -33,7 +33,7 @@ std::optional<QByteArray> unpacked(const QString& text) {
 
 }  // namespace
 
-std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::EditedGrid& grid) {
+std::optional<TakenDraft> restoreDraft(const PictureDraft& draft, const picture::EditedGrid& grid) {
   if (draft.width != grid.width() || draft.height != grid.height() || draft.code != grid.code())
     return std::nullopt;
   TakenDraft taken;

@@ -36,6 +36,6 @@ struct TakenDraft {
   std::int64_t cells = 0;      // that become others
   std::int64_t elsewhere = 0;  // of these, the ones that others have changed differently since
 };
-std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::EditedGrid& grid);
+std::optional<TakenDraft> restoreDraft(const PictureDraft& draft, const picture::EditedGrid& grid);
 
 }  // namespace mapwright::window

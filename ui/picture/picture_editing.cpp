@@ -322,8 +322,8 @@ void PictureEditing::note(PictureStep step, const QString& text) {
   forgetOldest();
 }
 
-void PictureEditing::takeUp(Patch patch, const QString& text) {
-  if (waits([this, patch, text] { takeUp(patch, text); })) return;
+void PictureEditing::applyPatch(Patch patch, const QString& text) {
+  if (waits([this, patch, text] { applyPatch(patch, text); })) return;
   push({std::move(patch), {}, {}, 0}, text);
 }
 
@@ -512,7 +512,7 @@ void PictureEditing::dropPreview() {
 
 std::shared_ptr<const EditedGrid> PictureEditing::snapshot() const { return grid_->snapshot(); }
 
-void PictureEditing::noteSaved(const std::shared_ptr<const EditedGrid>& saved) {
+void PictureEditing::markSaved(const std::shared_ptr<const EditedGrid>& saved) {
   if (!grid_ || saved->base() != grid_->base()) return;
   setSaved(saved);
   met_ = {};  // undecided conflicts were not saved
@@ -551,7 +551,7 @@ bool PictureEditing::touched() const {
          !selection_.empty();
 }
 
-void PictureEditing::takeIn(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision) {
+void PictureEditing::mergeTheirs(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision) {
   if (!grid_) return;
   coming_ = Coming{std::move(theirs), std::move(revision)};
   if (!merging_) mergeNext();

@@ -109,15 +109,15 @@ class PictureEditing : public QObject {
   std::shared_ptr<const picture::EditedGrid> snapshot() const;
   const std::shared_ptr<const picture::EditedGrid>& saved() const { return saved_; }
   /// A change made elsewhere to the present grid.
-  void takeUp(picture::Patch patch, const QString& text);
+  void applyPatch(picture::Patch patch, const QString& text);
   /// This is the stored state now (snapshot()).
-  void noteSaved(const std::shared_ptr<const picture::EditedGrid>& saved);
+  void markSaved(const std::shared_ptr<const picture::EditedGrid>& saved);
   /// Restores the saved state; can be undone.
   void revert();
   /// Someone else has changed the saved state to `theirs`, with that revision. It is compared on the thread
   /// pool and merged when no stroke or computation is in progress; mergeDone() follows. Of several only the
   /// last one counts. It lies below all local changes: undo does not revert it.
-  void takeIn(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision);
+  void mergeTheirs(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision);
   bool merging() const { return merging_ != nullptr; }
   /// There are local changes, or some in progress: it cannot simply be reloaded.
   bool touched() const;
@@ -134,7 +134,7 @@ class PictureEditing : public QObject {
   void cellsChanged(const mapwright::geometry::WorldRect& where);
   void stateChanged();    // choices, counts, selection, preview, conflicts
   void previewChanged();  // another grid should be shown
-  void mergeDone(qint64 taken, const std::string& revision);  // takeIn() has ended
+  void mergeDone(qint64 taken, const std::string& revision);  // mergeTheirs() has ended
   void tooLarge();
   void stepsForgotten(int steps);  // they exceeded setUndoBudget()
 

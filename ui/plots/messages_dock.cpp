@@ -300,7 +300,8 @@ void MessagesDock::showMessage(bool force) {
     if (!session_) {
       hint = tr("Connect to a robot to see its messages.");
     } else if (!session_->robot().liveTopics()) {
-      hint = sentences::whyAbsent(robot::Capability::Live, session_->robot().whyNot(robot::Capability::Live));
+      hint = sentences::absenceReason(robot::Capability::Live,
+                                      session_->robot().unavailableReason(robot::Capability::Live));
     } else if (tally) {
       hint = tr("Nothing has arrived on %1 yet.").arg(plainWords(chosen_, 100));
     } else {

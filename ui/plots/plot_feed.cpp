@@ -50,10 +50,10 @@ void PlotFeed::clear() {
   x_.clear();
   y_.clear();
   last_raw_.clear();
-  noteSoon();
+  updateSoon();
 }
 
-void PlotFeed::noteSoon() {
+void PlotFeed::updateSoon() {
   if (!note_.isActive()) note_.start(kNoteMs);
 }
 
@@ -82,8 +82,8 @@ void PlotFeed::setReading(replay::Reading* reading) {
     connect(reading_, &replay::Reading::chunkRead, this, [this](const replay::ChunkPtr& chunk) {
       const auto digest = reading_->index().digests().find(replay::tickOf(chunk->from_s));
       if (digest != reading_->index().digests().end())
-        takePoses(digest->second, lacking(chunk->from_s, chunk->until_s, true));
-      takeMessages(chunk);
+        addPoses(digest->second, lacking(chunk->from_s, chunk->until_s, true));
+      addMessages(chunk);
     });
     catch_up_.start(0);
   }
@@ -107,10 +107,10 @@ void PlotFeed::catchUp() {
     if (cell.state != replay::CellState::Read) continue;
     const double from_s = replay::secondsOf(cell.from), until_s = replay::secondsOf(cell.until);
     if (const auto digest = digests.find(from); digest != digests.end())
-      takePoses(digest->second, lacking(from_s, until_s, true));
+      addPoses(digest->second, lacking(from_s, until_s, true));
     if (lacking(from_s, until_s, false).empty()) continue;
     if (const replay::ChunkPtr chunk = reading_->chunkAt(from)) {
-      takeMessages(chunk);
+      addMessages(chunk);
     } else {
       again.push_back(from);
     }
@@ -118,7 +118,7 @@ void PlotFeed::catchUp() {
   if (!again.empty()) reading_->readAgain(again);
 }
 
-void PlotFeed::takePoses(const replay::Digest& digest, const Selections& selections) {
+void PlotFeed::addPoses(const replay::Digest& digest, const Selections& selections) {
   if (selections.empty()) return;
   const double from_s = digest.from_s, until_s = digest.until_s;
   const auto samplesOf = [&](Quantity quantity) {
@@ -143,10 +143,10 @@ void PlotFeed::takePoses(const replay::Digest& digest, const Selections& selecti
     const double end_s = std::min(until_s + series::kSpeedReach_s, known_s);
     if (end_s > until_s) series.insert(until_s, end_s, series::speeds(x_, y_, until_s, end_s));
   }
-  noteSoon();
+  updateSoon();
 }
 
-void PlotFeed::takeMessages(const replay::ChunkPtr& chunk) {
+void PlotFeed::addMessages(const replay::ChunkPtr& chunk) {
   const Selections selections = lacking(chunk->from_s, chunk->until_s, false);
   if (selections.empty()) return;
   share_.start(work::Urgency::Wanted,
@@ -192,7 +192,7 @@ void PlotFeed::putIn(double from_s, double until_s, std::vector<Read> all) {
     const auto found = entries_.find(read.selection);
     if (found != entries_.end()) found->second.series->insert(from_s, until_s, read.samples);
   }
-  noteSoon();
+  updateSoon();
 }
 
 QStringList PlotFeed::fields() const {
@@ -283,7 +283,7 @@ void PlotFeed::add(const PlotSelection& selection, double at_s, double value) {
   const auto found = entries_.find(selection);
   if (found == entries_.end()) return;
   found->second.series->append(at_s, value);
-  noteSoon();
+  updateSoon();
 }
 
 void PlotFeed::heard(const map::StampedMessage& message) {
@@ -335,7 +335,7 @@ void PlotFeed::coverLive() {
   for (auto& [selection, entry] : entries_) keep(*entry.series);
   keep(x_);
   keep(y_);
-  noteSoon();
+  updateSoon();
 }
 
 }  // namespace mapwright::window

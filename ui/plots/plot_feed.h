@@ -68,11 +68,11 @@ class PlotFeed : public QObject {
   using Selections = std::vector<PlotSelection>;
 
   void clear();
-  void noteSoon();
+  void updateSoon();
   // Of a bag.
   void catchUp();
-  void takePoses(const replay::Digest& digest, const Selections& selections);
-  void takeMessages(const replay::ChunkPtr& chunk);
+  void addPoses(const replay::Digest& digest, const Selections& selections);
+  void addMessages(const replay::ChunkPtr& chunk);
   void putIn(double from_s, double until_s, std::vector<Read> all);
   Selections lacking(double from_s, double until_s, bool poses) const;
   // Of a robot.

@@ -77,7 +77,7 @@ void MapFetch::stop() {
 void MapFetch::fetchWhole() {
   if (!dispatch_ || question_) return;
   const auto extent = dispatch_->extent();
-  if (const QString why = whyNotWhole(extent); !why.isEmpty()) return refuseWhole(why);
+  if (const QString why = notWholeReason(extent); !why.isEmpty()) return refuseWhole(why);
   question_ = new QMessageBox(
       QMessageBox::Question, tr("Fetch the whole map"),
       tr("Fetch the whole map at once? %1").arg(wholeSizeText(map_ ? &map_->regions() : nullptr, extent)),
@@ -177,7 +177,7 @@ void MapFetch::sayReplaced() {
         tr("\"Keep on screen\" replaces %1, which is not saved.").arg(kept.front().name));
 }
 
-void MapFetch::takeRectangle(const geometry::WorldRect& drawn) {
+void MapFetch::onRectangle(const geometry::WorldRect& drawn) {
   if (!map_ || question_) return;
   const geometry::WorldRect rect = wholeCells(map_->regions(), drawn);
   question_ = new QMessageBox(QMessageBox::Question, tr("Fetch a region"),
@@ -278,7 +278,7 @@ void MapFetch::saveKept(const std::function<void()>& then) {
   if (!slot.cells()->complete()) return toast(Mark::Warning, tr("The map is still loading."));
   if (const QString path = askWhere(); !path.isEmpty()) {
     write({slot.cells(), slot.reference()}, path, [this, then] {
-      noteSaved();
+      markSaved();
       then();
     });
   }

@@ -39,7 +39,7 @@ class MapFetch : public QObject {
   /// Asks first, showing the known size.
   void fetchWhole();
   /// Asks what to do with it.
-  void takeRectangle(const geometry::WorldRect& rect);
+  void onRectangle(const geometry::WorldRect& rect);
   /// Fetches the rectangle and writes `path`.pgm and .yaml, or shows it as a map.
   void saveRectangle(const geometry::WorldRect& rect, const QString& path);
   void keepRectangle(const geometry::WorldRect& rect);
@@ -49,7 +49,7 @@ class MapFetch : public QObject {
   /// What was fetched, is shown as a map and not saved; empty = nothing.
   std::vector<Fetched> fetched();
   /// What is shown has been saved.
-  void noteSaved() { kept_.reset(); }
+  void markSaved() { kept_.reset(); }
 
  Q_SIGNALS:
   void changed();       // busy(), notice()

@@ -92,7 +92,7 @@ void SaveMapDialog::look() { save_->setEnabled(!waits_ && !filename().isEmpty())
 
 void SaveMapDialog::ask() {
   if (!dispatch_) return refuse(tr("The robot is no longer connected."));
-  if (const QString why = jobs::whyNoFilename(filename()); !why.isEmpty()) return refuse(why);
+  if (const QString why = jobs::noFilenameReason(filename()); !why.isEmpty()) return refuse(why);
   wait();
   saving_ = dispatch_->save(
       filename().toStdString(), [self = QPointer(this)](const robot::Outcome<std::string>& outcome) {
@@ -208,7 +208,7 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &RegionsController::look);
   new RegionTip(
       context_.view, [this](const Eigen::Vector2d& world_m) { return reasonAt(world_m); }, this);
-  connect(tool_, &RectangleTool::drawn, map_fetch_.get(), &MapFetch::takeRectangle);
+  connect(tool_, &RectangleTool::drawn, map_fetch_.get(), &MapFetch::onRectangle);
   connect(map_fetch_.get(), &MapFetch::changed, this, &RegionsController::tell);
   connect(map_fetch_.get(), &MapFetch::regionWanted, this, &RegionsController::drawRectangle);
   tell();
@@ -377,10 +377,11 @@ void RegionsController::tell() {
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
   const bool busy = map_fetch_->busy();
   const session::Session* const session = context_.current.session();
-  const QString why = session && !dispatch_
-                          ? sentences::whyAbsent(robot::Capability::Dispatch,
-                                                 session->robot().whyNot(robot::Capability::Dispatch))
-                          : QString();
+  const QString why =
+      session && !dispatch_
+          ? sentences::absenceReason(robot::Capability::Dispatch,
+                                     session->robot().unavailableReason(robot::Capability::Dispatch))
+          : QString();
   allow(refresh_, by_region, why);
   allow(fetch_whole_, whole && online() && !busy, why);
   allow(save_map_, dispatch_ && dispatch_->offered(DispatchService::Save) && online() && !save_dialog_, why);
@@ -418,7 +419,7 @@ void RegionsController::tell() {
 
 std::vector<Fetched> RegionsController::fetched() { return map_fetch_->fetched(); }
 
-void RegionsController::noteExported() { map_fetch_->noteSaved(); }
+void RegionsController::onExported() { map_fetch_->markSaved(); }
 
 QString RegionsController::reasonAt(const Eigen::Vector2d& world_m) const {
   const bool seen = map_ && context_.scene.regions() == map_.get() &&

@@ -69,7 +69,7 @@ class RegionsController : public Controller {
   void remember(QSettings& settings) override;
   std::vector<Fetched> fetched() override;
   /// The whole map on screen was written to a file.
-  void noteExported();
+  void onExported();
 
   /// Null while no robot sends its map by region.
   regions::RegionMap* map() const { return map_.get(); }

@@ -109,7 +109,7 @@ QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot:
   return text;
 }
 
-QString whyNotWhole(const std::optional<robot::MapExtent>& extent) {
+QString notWholeReason(const std::optional<robot::MapExtent>& extent) {
   if (!extent || !extent->beyondLink()) return {};
   return MapByRegionsText::tr(
              "The whole map is too large to be fetched at once: its %1 × %2 cells are at least %3 over the "

@@ -24,7 +24,7 @@ QString rectangleText(const regions::MapRegions& map, const geometry::WorldRect&
 /// null.
 QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot::MapExtent>& extent);
 /// Why the whole map cannot be fetched at once; empty = no known reason.
-QString whyNotWhole(const std::optional<robot::MapExtent>& extent);
+QString notWholeReason(const std::optional<robot::MapExtent>& extent);
 /// The progress text: `bytes` have arrived after `seconds`.
 QString wholeProgressText(qint64 bytes, qint64 seconds, const std::optional<robot::MapExtent>& extent);
 

@@ -63,14 +63,14 @@ void EventsModel::setEvents(std::vector<Event> events, double start_s) {
   if (events != events_) take(std::move(events));
   if (moved && !rows_.empty())
     Q_EMIT dataChanged(index(0, SinceColumn), index(int(rows_.size()) - 1, SinceColumn));
-  takePresent();
+  onPresent();
 }
 
 void EventsModel::setFilter(const EventFilter& filter) {
   if (filter == filter_) return;
   filter_ = filter;
   take(events_);
-  takePresent();
+  onPresent();
 }
 
 void EventsModel::take(std::vector<Event> events) {
@@ -81,7 +81,7 @@ void EventsModel::take(std::vector<Event> events) {
   while (same_after < least - same &&
          events[rows[rows.size() - 1 - same_after]] == events_[rows_[rows_.size() - 1 - same_after]])
     ++same_after;
-  present_ = -1;  // takePresent() tells anew
+  present_ = -1;  // onPresent() tells anew
   if (const std::size_t gone = rows_.size() - same - same_after; gone > 0) {
     beginRemoveRows({}, int(same), int(same + gone) - 1);
     rows_.erase(rows_.begin() + std::ptrdiff_t(same), rows_.begin() + std::ptrdiff_t(same + gone));
@@ -96,10 +96,10 @@ void EventsModel::take(std::vector<Event> events) {
 
 void EventsModel::setAt(std::optional<double> at_s) {
   at_s_ = at_s;
-  takePresent();
+  onPresent();
 }
 
-void EventsModel::takePresent() {
+void EventsModel::onPresent() {
   int now = -1;
   if (at_s_) {
     const auto after = std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t place) {
@@ -253,17 +253,17 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
   save_->setIcon(themedIcon(QStringLiteral("save")));
   save_->setToolTip(tr("Save the listed events as CSV"));
 
-  connect(search_, &QLineEdit::textChanged, this, &EventsDock::takeFilter);
-  connect(group_, &QComboBox::currentIndexChanged, this, &EventsDock::takeFilter);
+  connect(search_, &QLineEdit::textChanged, this, &EventsDock::applyFilter);
+  connect(group_, &QComboBox::currentIndexChanged, this, &EventsDock::applyFilter);
   connect(table_, &QTableView::doubleClicked, this, &EventsDock::goTo);
   connect(follow_, &QToolButton::toggled, this, &EventsDock::scrollToPresent);
   connect(read_, &QPushButton::clicked, this, &EventsDock::readAllWanted);
   connect(retry_, &QPushButton::clicked, &clock_, &ReplayClock::retry);
   connect(save_, &QPushButton::clicked, this, &EventsDock::saveWanted);
-  connect(&clock_, &ReplayClock::timeChanged, this, &EventsDock::takeTime);
-  connect(&clock_, &ReplayClock::stateChanged, this, &EventsDock::takeState);
+  connect(&clock_, &ReplayClock::timeChanged, this, &EventsDock::onTime);
+  connect(&clock_, &ReplayClock::stateChanged, this, &EventsDock::onState);
   connect(&clock_, &ReplayClock::closed, this, [this] { setEvents({}); });
-  takeState();
+  onState();
 }
 
 void EventsDock::setEvents(const std::vector<replay::Event>& events) {
@@ -276,8 +276,8 @@ void EventsDock::setEvents(const std::vector<replay::Event>& events) {
   waiting_.clear();
   const bool in_view = presentInView();
   model_->setEvents(events, clock_.start());
-  takeState();
-  takeTime();
+  onState();
+  onTime();
   // Earlier events found later push it away.
   if (in_view) scrollToPresent();
 }
@@ -285,14 +285,14 @@ void EventsDock::setEvents(const std::vector<replay::Event>& events) {
 void EventsDock::showEvent(QShowEvent* event) {
   QDockWidget::showEvent(event);
   if (!waiting_.empty()) setEvents(std::exchange(waiting_, {}));
-  takeState();
-  takeTime();
+  onState();
+  onTime();
   scrollToPresent();
 }
 
 void EventsDock::setReadsAll(bool all) {
   reads_all_ = all;
-  takeState();
+  onState();
 }
 
 bool EventsDock::follows() const { return follow_->isChecked(); }
@@ -309,7 +309,7 @@ QString EventsDock::summaryText() const {
       .arg(found, QString::number(int(std::floor(share * 100))));
 }
 
-void EventsDock::takeState() {
+void EventsDock::onState() {
   const replay::Reading* const reading = clock_.reading();
   const bool open = reading != nullptr;
   for (QWidget* const control : std::initializer_list<QWidget*>{search_, group_, follow_})
@@ -330,17 +330,17 @@ void EventsDock::takeState() {
   showInstead(why);
 }
 
-void EventsDock::takeFilter() {
+void EventsDock::applyFilter() {
   EventFilter filter;
   if (group_->currentIndex() > 0) filter.group = replay::EventGroup(group_->currentData().toInt());
   filter.text = search_->text().trimmed();
   model_->setFilter(filter);
-  takeState();
-  takeTime();
+  onState();
+  onTime();
   scrollToPresent();
 }
 
-void EventsDock::takeTime() {
+void EventsDock::onTime() {
   if (!isVisible()) return;
   model_->setAt(clock_.isOpen() ? std::optional(clock_.at()) : std::nullopt);
   const replay::Event* const now = model_->event(model_->presentRow());

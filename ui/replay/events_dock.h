@@ -57,7 +57,7 @@ class EventsModel : public QAbstractTableModel {
   std::vector<std::uint32_t> passing(const std::vector<replay::Event>& events) const;
   bool passes(const replay::Event& event) const;
   void take(std::vector<replay::Event> events);
-  void takePresent();
+  void onPresent();
   QString text(const replay::Event& event, int column) const;
   std::size_t at(int row) const { return rows_[std::size_t(row)]; }
 
@@ -98,11 +98,11 @@ class EventsDock : public ListDock {
   void showMenu(const QPoint& at) override;
 
  private:
-  void takeTime();
+  void onTime();
   bool presentInView() const;
   void scrollToPresent();
-  void takeState();
-  void takeFilter();
+  void onState();
+  void applyFilter();
   void goTo(const QModelIndex& index);
   void copy();
   /// How many there are, and how much of the bag has been read.

@@ -119,15 +119,15 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
   for (const auto& [here, edit] : {std::pair(from_here_, from_), std::pair(to_here_, to_)})
     connect(here, &QPushButton::clicked, edit,
             [this, edit = edit] { edit->setText(shownDayTime(offer_.now())); });
-  connect(kind_, &QComboBox::currentIndexChanged, this, &RangeExportDialog::takeKind);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &RangeExportDialog::applyKind);
   for (QLineEdit* const edit : {from_, to_})
-    connect(edit, &QLineEdit::textChanged, this, &RangeExportDialog::takeRange);
+    connect(edit, &QLineEdit::textChanged, this, &RangeExportDialog::applyRange);
   connect(path_, &QLineEdit::textEdited, this, [this] { say({}); });
   connect(browse_, &QPushButton::clicked, this, &RangeExportDialog::browse);
   connect(export_, &QPushButton::clicked, this, &RangeExportDialog::start);
   connect(close_, &QPushButton::clicked, this, &RangeExportDialog::reject);
-  takeKind();
-  takeRange();
+  applyKind();
+  applyRange();
 }
 
 RangeExportDialog::~RangeExportDialog() = default;
@@ -186,7 +186,7 @@ std::optional<excerpt::TimeSpan> RangeExportDialog::span() const {
   return excerpt::TimeSpan{from_s, to_s};
 }
 
-void RangeExportDialog::takeRange() {
+void RangeExportDialog::applyRange() {
   say({});
   const auto from_s = time(from_, from_shown_, from_s_), to_s = time(to_, to_shown_, to_s_);
   film_->setText(from_s && to_s ? filmCommand(offer_, *from_s, *to_s) : QString());
@@ -194,7 +194,7 @@ void RangeExportDialog::takeRange() {
   film_->setToolTip(plainToolTip(film_->text()));
 }
 
-void RangeExportDialog::takeKind() {
+void RangeExportDialog::applyKind() {
   // The name stays, the extension follows the kind.
   QString path = path_->text();
   for (const KindChoice& choice : kKindChoices) {
@@ -218,7 +218,7 @@ void RangeExportDialog::browse() {
   if (named) asked_ = path;  // the file dialog has asked
 }
 
-std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
+std::optional<QString> RangeExportDialog::unavailableReason(const QString& path) const {
   const auto wanted = span();
   if (!wanted)
     return tr("From and to must be times between %1 and %2.")
@@ -237,7 +237,7 @@ std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
 void RangeExportDialog::start() {
   if (job_ || left_) return;
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
-  if (const auto why = whyNot(path)) return say(*why);
+  if (const auto why = unavailableReason(path)) return say(*why);
   if (QFileInfo::exists(path) && asked_ != path) {
     say(tr("%1 already exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
     asked_ = path;

@@ -66,14 +66,14 @@ class RangeExportDialog : public QDialog {
 
  private:
   void layOut();
-  void takeKind();
-  void takeRange();
+  void applyKind();
+  void applyRange();
   void browse();
   void say(const QString& sentence, bool bad = true);
   void setRunning(bool running);
   void take(const excerpt::Ended& ended);
   /// Why the input is invalid; nullopt: it is valid.
-  std::optional<QString> whyNot(const QString& path) const;
+  std::optional<QString> unavailableReason(const QString& path) const;
   std::optional<double> time(const QLineEdit* edit, const QString& shown, double meant_s) const;
   /// nullopt: one of them is not a time.
   std::optional<excerpt::TimeSpan> span() const;

@@ -76,7 +76,7 @@ void RecordingController::setSession(session::Session* session) {
   }
   session_ = session;
   if (session_) {
-    connect(session_, &session::Session::connectionChanged, this, &RecordingController::takeLink);
+    connect(session_, &session::Session::connectionChanged, this, &RecordingController::onLink);
     for (const session::MapSlot* const slot : {&session_->wholeMap(), &session_->comparedMap()})
       connect(slot, &session::MapSlot::changed, this, &RecordingController::wantOpenMaps);
   }
@@ -119,7 +119,7 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
   told_.reset();
   interruptions_ = not_had_ = 0;
   away_ = false;
-  connect(recorder_.get(), &recorder::Recorder::progressed, this, &RecordingController::tellProgress);
+  connect(recorder_.get(), &recorder::Recorder::progressed, this, &RecordingController::reportProgress);
   // It must not be destroyed while it emits a signal.
   connect(recorder_.get(), &recorder::Recorder::finished, this, [this] { conclude()->deleteLater(); });
   connect(recorder_.get(), &recorder::Recorder::notHad, this, [this](const map::Failure& failure) {
@@ -131,9 +131,9 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
   map::SubmapList listed;
   listed.uuid = session_->submaps().uuid();
   for (const auto& [id, row] : session_->submaps().rows()) listed.entries.push_back(row.entry);
-  if (!listed.entries.empty()) recorder_->fetches().takeList(listed);
+  if (!listed.entries.empty()) recorder_->fetches().onList(listed);
   wantOpenMaps();
-  takeLink();
+  onLink();
   refresh();
   return std::nullopt;
 }
@@ -181,7 +181,7 @@ QStringList RecordingController::lacks(const recorder::Recorder::Progress& done)
   return lacks;
 }
 
-void RecordingController::takeLink() {
+void RecordingController::onLink() {
   if (!recording() || !session_) return;
   const robot::ConnectionState link = session_->connection();
   const bool lost =
@@ -198,7 +198,7 @@ void RecordingController::takeLink() {
     context_.overlay.toasts()->add(Mark::Neutral,
                                    tr("Reconnected after %1: recording continues.").arg(after));
   }
-  tellProgress();
+  reportProgress();
 }
 
 void RecordingController::wantOpenMaps() {
@@ -232,10 +232,10 @@ void RecordingController::refresh() {
     icon = QIcon(iconPixmap(QStringLiteral("record"), kIconPx, context_.window.devicePixelRatioF(), red));
   action_->setIcon(icon);
   label_->setVisible(recorder_ != nullptr);
-  if (recorder_) tellProgress();
+  if (recorder_) reportProgress();
 }
 
-void RecordingController::tellProgress() {
+void RecordingController::reportProgress() {
   if (!recorder_) return;
   const recorder::Recorder::Progress now = recorder_->progress();
   QString text = tr("%1, %2").arg(recordedFor(now.seconds), bytesText(qint64(now.written.bytes)));

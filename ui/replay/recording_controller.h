@@ -38,9 +38,9 @@ class RecordingController : public Controller {
   void toggle();
   void askAndStart();
   void refresh();
-  void tellProgress();
+  void reportProgress();
   /// The connection state: a recording has a gap while it is lost.
-  void takeLink();
+  void onLink();
   /// Adds the whole maps on screen to the recording.
   void wantOpenMaps();
   /// Why the file is incomplete; empty: it is not.

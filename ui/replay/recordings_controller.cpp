@@ -51,10 +51,10 @@ RecordingsController::RecordingsController(WindowContext& context, QObject* pare
   connect(&context_.current, &CurrentSession::stateChanged, this, [this, shows] {
     const session::Session* const session = context_.current.session();
     const bool none = session && session->robot().isLocal() && !library();
-    allow(
-        shows, !none,
-        none ? sentences::whyAbsent(robot::Capability::Bags, session->robot().whyNot(robot::Capability::Bags))
-             : QString());
+    allow(shows, !none,
+          none ? sentences::absenceReason(robot::Capability::Bags,
+                                          session->robot().unavailableReason(robot::Capability::Bags))
+               : QString());
   });
   connect(dock_, &RecordingsDock::refreshWanted, this, &RecordingsController::refresh);
   connect(dock_, &RecordingsDock::openWanted, this, &RecordingsController::open);
@@ -111,8 +111,8 @@ void RecordingsController::showState() {
   state.connected = session != nullptr;
   state.online = session && session->connection().phase == robot::ConnectionPhase::Online;
   if (session && !library())
-    state.why_not =
-        sentences::whyAbsent(robot::Capability::Bags, session->robot().whyNot(robot::Capability::Bags));
+    state.unavailable_reason = sentences::absenceReason(
+        robot::Capability::Bags, session->robot().unavailableReason(robot::Capability::Bags));
   state.loading = loading_;
   state.listed = listed_;
   state.error = error_;
@@ -177,7 +177,7 @@ void RecordingsController::download(const BagKey& key, const QString& path) {
   dock_->model()->setNote(key, {BagNote::Kind::Downloading, tr("downloading…"), path});
   const robot::Call call =
       library->download(key, path, [this, key, path](const robot::Outcome<robot::BagDownload>& outcome) {
-        takeDownload(key, path, outcome);
+        onDownload(key, path, outcome);
       });
   downloads_[key] = call;
   call.onProgress([this, key, path](robot::Progress progress) {
@@ -192,8 +192,8 @@ void RecordingsController::download(const BagKey& key, const QString& path) {
   });
 }
 
-void RecordingsController::takeDownload(const BagKey& key, const QString& path,
-                                        const robot::Outcome<robot::BagDownload>& outcome) {
+void RecordingsController::onDownload(const BagKey& key, const QString& path,
+                                      const robot::Outcome<robot::BagDownload>& outcome) {
   downloads_.erase(key);
   if (outcome) {
     const QString where = QDir::toNativeSeparators(outcome->path);

@@ -40,8 +40,8 @@ class RecordingsController : public Controller {
   void showState();
   void fail(const robot::BagKey& key, const map::Failure& failure, const QString& path = {});
   void askWhereTo(const robot::BagKey& key);
-  void takeDownload(const robot::BagKey& key, const QString& path,
-                    const robot::Outcome<robot::BagDownload>& outcome);
+  void onDownload(const robot::BagKey& key, const QString& path,
+                  const robot::Outcome<robot::BagDownload>& outcome);
   void askToRecord();
   void record(RecordDialog* dialog);
   void askToDelete(const robot::BagKey& key);

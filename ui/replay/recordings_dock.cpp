@@ -263,7 +263,7 @@ void RecordingsDock::setState(const RecordingsState& state) {
 
 QString RecordingsDock::emptyText() const {
   if (!state_.connected) return tr("Connect to a robot to see its recordings.");
-  if (!state_.why_not.isEmpty()) return state_.why_not;
+  if (!state_.unavailable_reason.isEmpty()) return state_.unavailable_reason;
   if (model_->rowCount() == 0) {
     if (state_.loading) return tr("Asking the robot…");
     if (!state_.error.isEmpty()) return state_.error;
@@ -274,7 +274,7 @@ QString RecordingsDock::emptyText() const {
 }
 
 void RecordingsDock::refresh() {
-  const bool offered = state_.connected && state_.why_not.isEmpty();
+  const bool offered = state_.connected && state_.unavailable_reason.isEmpty();
   search_->setEnabled(offered);
   refresh_->setEnabled(offered && !state_.loading);
   showInstead(emptyText());
@@ -299,8 +299,8 @@ void RecordingsDock::refreshButtons() {
   const BagNote::Kind kind = key ? model_->note(*key).kind : BagNote::Kind::None;
   const bool busy =
       kind == BagNote::Kind::Downloading || kind == BagNote::Kind::Opening || kind == BagNote::Kind::Deleting;
-  const bool offered = state_.connected && state_.why_not.isEmpty();
-  const QString why_not =
+  const bool offered = state_.connected && state_.unavailable_reason.isEmpty();
+  const QString unavailable_reason =
       state_.replaying ? tr("While a bag is replayed, nothing can be changed on the robot.") : QString();
   open_->setEnabled(key && !busy);
   download_->setEnabled(key && !busy);
@@ -311,9 +311,9 @@ void RecordingsDock::refreshButtons() {
   stop_->setVisible(downloading);
   download_->setVisible(!downloading);
   delete_->setEnabled(key && !busy && !state_.replaying);
-  delete_->setToolTip(why_not);
+  delete_->setToolTip(unavailable_reason);
   record_->setEnabled(offered && state_.online && !state_.replaying);
-  record_->setToolTip(state_.replaying            ? why_not
+  record_->setToolTip(state_.replaying            ? unavailable_reason
                       : offered && !state_.online ? tr("The robot cannot be reached at the moment.")
                                                   : tr("Make the robot record a bag"));
 }

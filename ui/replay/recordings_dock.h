@@ -77,9 +77,9 @@ QString bagCalled(const robot::BagKey& key);
 
 /// The state of the list.
 struct RecordingsState {
-  bool connected = false;  // there is a robot
-  bool online = false;     // and it can be reached
-  QString why_not;         // why it has none; empty = it has
+  bool connected = false;      // there is a robot
+  bool online = false;         // and it can be reached
+  QString unavailable_reason;  // why it has none; empty = it has
   bool loading = false, listed = false;
   QString error;           // it could not be listed
   bool replaying = false;  // a bag is on screen: nothing can be changed on the robot

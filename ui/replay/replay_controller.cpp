@@ -84,9 +84,9 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   connectEvents();
   connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
   connect(dock_, &TimelineDock::exportWanted, this, &ReplayController::exportRange);
-  connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
+  connect(clock_, &ReplayClock::opened, this, &ReplayController::onOpened);
   connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
-  connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::noteLink);
+  connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::onLink);
   connect(clock_, &ReplayClock::stateChanged, this, [this] {
     showPose();
     chooseMaps();
@@ -309,7 +309,7 @@ void ReplayController::setSession(session::Session* session) {
   auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;
   if (robot) {
     dock_was_open_ = dock_was_open_ && dock_->toggleViewAction()->isChecked();
-    connect(robot, &robot::Robot::connectionChanged, this, &ReplayController::takeConnection);
+    connect(robot, &robot::Robot::connectionChanged, this, &ReplayController::onConnection);
     connect(robot, &replay::ReplayRobot::jumped, this, &ReplayController::showPose, Qt::QueuedConnection);
     dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
     clock_->attach(*robot, *session);
@@ -335,13 +335,13 @@ void ReplayController::leaveLayout() {
   if (replayOf(context_.current.session()) && !dock_was_open_) dock_->hide();
 }
 
-void ReplayController::takeLayout() {
+void ReplayController::onLayout() {
   if (!replayOf(context_.current.session())) return;
   dock_was_open_ = dock_->toggleViewAction()->isChecked();
   if (shown_before_) context_.panels.open(dock_);
 }
 
-void ReplayController::takeConnection() {
+void ReplayController::onConnection() {
   const session::Session* const session = context_.current.session();
   const replay::ReplayRobot* const robot = replayOf(session);
   if (robot && robot->connection().phase == ConnectionPhase::Refused)
@@ -350,7 +350,7 @@ void ReplayController::takeConnection() {
   refresh();
 }
 
-void ReplayController::takeOpened() {
+void ReplayController::onOpened() {
   clock_->reading()->setWhole(read_all_->isChecked());
   dock_->view()->setFocus();
   refresh();
@@ -360,7 +360,7 @@ void ReplayController::showPose() {
   if (clock_->isOpen()) context_.scene.setPoseBetween(clock_->poseBetween());
 }
 
-void ReplayController::noteLink() {
+void ReplayController::onLink() {
   const replay::Reading* const reading = clock_->reading();
   const bool away = reading && reading->info() && reading->info()->awayAt(clock_->at());
   if (std::exchange(away_, away) != away) refresh();
@@ -501,7 +501,7 @@ void ReplayController::remember(QSettings& settings) {
   settings.setValue(kFollowEventsKey, events_->follows());
 }
 
-bool ReplayController::takeSpace(QObject& at, QKeyEvent& key) {
+bool ReplayController::onSpaceKey(QObject& at, QKeyEvent& key) {
   if (key.key() != Qt::Key_Space || key.modifiers() || key.isAutoRepeat() || !clock_->isOpen()) return false;
   if (const auto* const list = qobject_cast<QAbstractItemView*>(&at)) {
     const bool switches = list->currentIndex().flags() & Qt::ItemIsUserCheckable;
@@ -513,7 +513,7 @@ bool ReplayController::takeSpace(QObject& at, QKeyEvent& key) {
 
 bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress && watched != &context_.view &&
-      takeSpace(*watched, static_cast<QKeyEvent&>(*event)))
+      onSpaceKey(*watched, static_cast<QKeyEvent&>(*event)))
     return true;
   // Space with a mouse drag moves the map; Space alone plays.
   if (event->type() == QEvent::MouseButtonPress) space_pressed_ = false;

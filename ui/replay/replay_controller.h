@@ -65,7 +65,7 @@ class ReplayController : public Controller {
 
   /// The window's layout is about to change: a timeline that came with the bag is no part of it.
   void leaveLayout();
-  void takeLayout();
+  void onLayout();
 
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
@@ -80,7 +80,7 @@ class ReplayController : public Controller {
 
  private:
   /// Space plays wherever it has no other use.
-  bool takeSpace(QObject& at, QKeyEvent& key);
+  bool onSpaceKey(QObject& at, QKeyEvent& key);
   /// The submenu of the Robot menu.
   void addActions();
   template <typename What>
@@ -88,11 +88,11 @@ class ReplayController : public Controller {
                  What&& what);
   void refreshActions();
   void show(std::unique_ptr<robot::Robot> replay);
-  void takeConnection();
-  void takeOpened();
+  void onConnection();
+  void onOpened();
   void showPose();
   /// Whether the robot was connected at this time of its recording.
-  void noteLink();
+  void onLink();
   /// Once the state at the first time is known.
   void chooseMaps();
   void chooseMode();

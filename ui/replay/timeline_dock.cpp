@@ -91,18 +91,18 @@ TimelineDock::TimelineDock(ReplayClock& clock, QWidget* parent)
 
   content_timer_.setSingleShot(true);
   content_timer_.setInterval(kContentEveryMs);
-  connect(&content_timer_, &QTimer::timeout, this, &TimelineDock::takeContent);
-  connect(&clock_, &ReplayClock::opened, this, &TimelineDock::takeOpened);
-  connect(&clock_, &ReplayClock::closed, this, &TimelineDock::takeClosed);
-  connect(&clock_, &ReplayClock::timeChanged, this, &TimelineDock::takeTime);
-  connect(&clock_, &ReplayClock::stateChanged, this, &TimelineDock::takeState);
+  connect(&content_timer_, &QTimer::timeout, this, &TimelineDock::onContent);
+  connect(&clock_, &ReplayClock::opened, this, &TimelineDock::onOpened);
+  connect(&clock_, &ReplayClock::closed, this, &TimelineDock::onClosed);
+  connect(&clock_, &ReplayClock::timeChanged, this, &TimelineDock::onTime);
+  connect(&clock_, &ReplayClock::stateChanged, this, &TimelineDock::onState);
   connect(&clock_, &ReplayClock::rangesChanged, this, [this] {
     if (!content_timer_.isActive()) content_timer_.start();
-    takeState();
+    onState();
   });
   connectView();
   time_->installEventFilter(this);
-  takeClosed();
+  onClosed();
 }
 
 TimelineDock::~TimelineDock() { time_->removeEventFilter(this); }
@@ -125,7 +125,7 @@ void TimelineDock::makeEventsMenu() {
     shown->setCheckable(true);
     shown->setChecked(true);
     shown->setData(int(group));
-    connect(shown, &QAction::toggled, this, &TimelineDock::takeGroups);
+    connect(shown, &QAction::toggled, this, &TimelineDock::setGroups);
   }
   // The counts are updated when it is opened.
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
@@ -138,10 +138,10 @@ void TimelineDock::makeEventsMenu() {
   });
   events_->setMenu(menu);
   events_->setPopupMode(QToolButton::InstantPopup);
-  takeGroups();
+  setGroups();
 }
 
-void TimelineDock::takeGroups() {
+void TimelineDock::setGroups() {
   std::set<replay::EventGroup> hidden;
   for (const QAction* const shown : events_->menu()->actions()) {
     if (!shown->isChecked()) hidden.insert(replay::EventGroup(shown->data().toInt()));
@@ -200,8 +200,8 @@ void TimelineDock::connectView() {
   connect(message_forward_, &QToolButton::clicked, this, [this] { clock_.stepMessage(1); });
   connect(event_back_, &QToolButton::clicked, this, [this] { goToNextEvent(-1); });
   connect(event_forward_, &QToolButton::clicked, this, [this] { goToNextEvent(1); });
-  connect(speed_, &QComboBox::textActivated, this, &TimelineDock::takeSpeed);
-  connect(speed_->lineEdit(), &QLineEdit::editingFinished, this, &TimelineDock::takeSpeed);
+  connect(speed_, &QComboBox::textActivated, this, &TimelineDock::applySpeed);
+  connect(speed_->lineEdit(), &QLineEdit::editingFinished, this, &TimelineDock::applySpeed);
   connect(retry_, &QPushButton::clicked, &clock_, &ReplayClock::retry);
   connect(back_, &QPushButton::clicked, this, &TimelineDock::backWanted);
 }
@@ -229,7 +229,7 @@ void TimelineDock::showMenu(const QPoint& global_pos, double at_s) {
 
 void TimelineDock::setOpening(const QString& sentence) {
   opening_ = sentence;
-  if (!clock_.isOpen()) takeClosed();
+  if (!clock_.isOpen()) onClosed();
 }
 
 void TimelineDock::setBack(const QString& text) {
@@ -259,15 +259,15 @@ void TimelineDock::askForTime() {
 QString TimelineDock::stateShown() const { return state_->state().text; }
 QString TimelineDock::lengthShown() const { return length_->text(); }
 
-void TimelineDock::takeOpened() {
+void TimelineDock::onOpened() {
   opening_.clear();
   view_->showAll();
-  takeContent();
-  takeTime(clock_.at());
-  takeState();
+  onContent();
+  onTime(clock_.at());
+  onState();
 }
 
-void TimelineDock::takeClosed() {
+void TimelineDock::onClosed() {
   content_timer_.stop();
   view_->setContent({});
   view_->setLoop(std::nullopt);
@@ -275,10 +275,10 @@ void TimelineDock::takeClosed() {
                                        : tr("Bags opened in the Recordings panel are played here."));
   time_->setText({});  // clear() would count as typed, and typed text stays
   length_->setText({});
-  takeState();
+  onState();
 }
 
-void TimelineDock::takeContent() {
+void TimelineDock::onContent() {
   const replay::Reading* const reading = clock_.reading();
   if (!reading) return;
   TimelineContent content;
@@ -290,11 +290,11 @@ void TimelineDock::takeContent() {
   const bool empty = content.ranges.empty();
   view_->setContent(std::move(content));
   view_->setNotice(empty ? tr("This bag contains no messages.") : QString());
-  takeTime(clock_.at());
+  onTime(clock_.at());
   Q_EMIT eventsChanged();
 }
 
-void TimelineDock::takeTime(double at_s) {
+void TimelineDock::onTime(double at_s) {
   if (!clock_.isOpen()) return;
   view_->setAt(at_s);
   // A selection that the user is about to overwrite stays.
@@ -304,7 +304,7 @@ void TimelineDock::takeTime(double at_s) {
       tr("%1 of %2").arg(elapsedText(at_s - clock_.start()), elapsedText(clock_.end() - clock_.start())));
 }
 
-void TimelineDock::takeState() {
+void TimelineDock::onState() {
   const replay::Reading* const reading = clock_.reading();
   const bool open = reading != nullptr;
   for (QWidget* const control :
@@ -335,7 +335,7 @@ void TimelineDock::takeState() {
   retry_->setVisible(open && reading->chunks().anyFailed());
 }
 
-void TimelineDock::takeTyped(bool play_until) {
+void TimelineDock::applyTyped(bool play_until) {
   const auto at_s = timeTyped(time_->text(), clock_.start(), clock_.end());
   if (!at_s) {
     QToolTip::showText(time_->mapToGlobal(QPoint(0, -time_->height())),
@@ -348,11 +348,11 @@ void TimelineDock::takeTyped(bool play_until) {
   time_->setModified(false);
   time_->deselect();
   play_until ? clock_.playUntil(*at_s) : clock_.seek(*at_s);
-  takeTime(clock_.at());
+  onTime(clock_.at());
   view_->setFocus();
 }
 
-void TimelineDock::takeSpeed() {
+void TimelineDock::applySpeed() {
   if (const auto speed = speedTyped(speed_->currentText())) clock_.setSpeed(*speed);
   speed_->lineEdit()->setModified(false);
   speed_->setEditText(speedText(clock_.speed()));
@@ -362,13 +362,13 @@ bool TimelineDock::eventFilter(QObject* watched, QEvent* event) {
   if (watched == time_ && event->type() == QEvent::KeyPress) {
     const auto* const key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
-      takeTyped(key->modifiers() & Qt::ControlModifier);
+      applyTyped(key->modifiers() & Qt::ControlModifier);
       return true;
     }
     if (key->key() == Qt::Key_Escape) {
       time_->setModified(false);
       time_->deselect();
-      takeTime(clock_.at());
+      onTime(clock_.at());
       view_->setFocus();
       return true;
     }
@@ -376,7 +376,7 @@ bool TimelineDock::eventFilter(QObject* watched, QEvent* event) {
   if (watched == time_ && event->type() == QEvent::FocusOut) {
     time_->setModified(false);
     time_->deselect();
-    takeTime(clock_.at());
+    onTime(clock_.at());
   }
   return QDockWidget::eventFilter(watched, event);
 }

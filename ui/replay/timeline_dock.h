@@ -65,15 +65,15 @@ class TimelineDock : public QDockWidget {
   void layOut();
   void connectView();
   void showMenu(const QPoint& global_pos, double at_s);
-  void takeOpened();
-  void takeClosed();
-  void takeTime(double at_s);
-  void takeState();
+  void onOpened();
+  void onClosed();
+  void onTime(double at_s);
+  void onState();
   void makeEventsMenu();
-  void takeGroups();
-  void takeContent();
-  void takeTyped(bool play_until);
-  void takeSpeed();
+  void setGroups();
+  void onContent();
+  void applyTyped(bool play_until);
+  void applySpeed();
   /// Its text, if there is room for it.
 
   ReplayClock& clock_;

@@ -111,7 +111,7 @@ bool Gathering::opened() {
   const robot::BagInfo& info = *replayed_->reading()->info();
   run_.info = info;
   if (!wanted_.at_s) return true;
-  const QString why = incident::whyNotWithin(wanted_.bag.name, info, *wanted_.at_s, !replayed_->isLocal());
+  const QString why = incident::notWithinReason(wanted_.bag.name, info, *wanted_.at_s, !replayed_->isLocal());
   if (!why.isEmpty()) fail(why, map::FailureKind::Unsupported);
   return why.isEmpty();
 }
@@ -205,10 +205,10 @@ bool Gathering::minuteRead() {
 void Gathering::take(const replay::ChunkPtr& chunk) {
   if (awaited_->erase(replay::tickOf(chunk->from_s)) == 0) return;
   minute_->take(*chunk);
-  takeSaid(*chunk);
+  addMessages(*chunk);
 }
 
-void Gathering::takeSaid(const replay::Chunk& chunk) {
+void Gathering::addMessages(const replay::Chunk& chunk) {
   const std::size_t end = chunk.countUntil(run_.at_s);
   for (std::size_t place = 0; place < end; ++place) {
     const robot::BagMessage& message = chunk.at(place);
@@ -251,11 +251,11 @@ bool Gathering::mapIn() {
   return slot.settled() && !slot.waypointsAwaited();
 }
 
-void Gathering::takeState() {
+void Gathering::onState() {
   replay::Reading& reading = *replayed_->reading();
   run_.live = session_.live();
   run_.topics = replayed_->topics();
-  minute_->takePoses(reading.index().digests());
+  minute_->addPoses(reading.index().digests());
   run_.curves = minute_->curves();
   run_.conditions = incident::conditionsAt(reading.index().digests(), run_.at_s);
   run_.events = replay::eventsOf(reading.index().digests());
@@ -315,7 +315,7 @@ geometry::ViewTransform Gathering::chosenView() const {
 
 void Gathering::draw() {
   view_ = chosenView();
-  takeState();
+  onState();
   // Drawing takes a while. Nothing may change meanwhile.
   session_.standStill();
   session_.close();

@@ -55,10 +55,10 @@ class Gathering : public QObject {
   /// Asks for what the report shows besides the state; true: all of it is there.
   bool minuteRead();
   void take(const replay::ChunkPtr& chunk);
-  void takeSaid(const replay::Chunk& chunk);
+  void addMessages(const replay::Chunk& chunk);
   void openMap();
   bool mapIn();
-  void takeState();
+  void onState();
   geometry::ViewTransform chosenView() const;
   void draw();
   void lookAtPicture();

@@ -45,11 +45,11 @@ void ReportJob::gather(const ReportOrder::Part& part, Gathering::Wanted wanted) 
   gathering_ = std::make_unique<Gathering>(std::move(*robot), std::move(wanted), workers_);
   connect(gathering_.get(), &Gathering::progressed, this, &ReportJob::progressed);
   // Queued: the one that has ended is deleted.
-  connect(gathering_.get(), &Gathering::ended, this, &ReportJob::takeRun, Qt::QueuedConnection);
+  connect(gathering_.get(), &Gathering::ended, this, &ReportJob::onRun, Qt::QueuedConnection);
   gathering_->start();
 }
 
-void ReportJob::takeRun() {
+void ReportJob::onRun() {
   if (!gathering_->error().isEmpty()) return fail(gathering_->error(), gathering_->failure());
   Run run = std::move(gathering_->run());
   const geometry::ViewTransform view = gathering_->view();

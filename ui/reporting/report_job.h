@@ -48,7 +48,7 @@ class ReportJob : public QObject {
 
  private:
   void gather(const ReportOrder::Part& part, Gathering::Wanted wanted);
-  void takeRun();
+  void onRun();
   void write();
   void fail(const QString& sentence, map::FailureKind kind = map::FailureKind::None);
 

@@ -94,7 +94,7 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes prob
                      QMargins(16, 16, 16, 16)));
 
   connect(kind_, &QComboBox::currentIndexChanged, this, &ConnectDialog::chooseKind);
-  connect(kind_, &QComboBox::activated, this, &ConnectDialog::takeApart);
+  connect(kind_, &QComboBox::activated, this, &ConnectDialog::splitAddress);
   connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::check);
   connect(address_, &QLineEdit::textEdited, this, [this] {
     // A look that belongs to a robot does not go along to another one.
@@ -107,8 +107,8 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes prob
   connect(port_->findChild<QLineEdit*>(), &QLineEdit::textChanged, this, &ConnectDialog::check);
   connect(encrypted_, &QCheckBox::toggled, this, &ConnectDialog::check);
   connect(secret_, &QLineEdit::textEdited, this, [this] { setError({}); });
-  connect(look_.name, &QLineEdit::editingFinished, this, &ConnectDialog::noteLook);
-  connect(look_.color, &QComboBox::activated, this, &ConnectDialog::noteLook);
+  connect(look_.name, &QLineEdit::editingFinished, this, &ConnectDialog::updateLook);
+  connect(look_.color, &QComboBox::activated, this, &ConnectDialog::updateLook);
   connect(found_, &FoundRobots::changed, this, [this] {
     const auto found = found_->chosen();
     const bool looking = found_->looking();
@@ -280,7 +280,7 @@ void ConnectDialog::chooseKind() {
   check();
 }
 
-void ConnectDialog::takeApart() {
+void ConnectDialog::splitAddress() {
   const robot::AddressScheme* const scheme = kind();
   const robot::Addresses& addresses = recents_.addresses();
   const auto parsed = addresses.parse(address_->text());
@@ -347,7 +347,7 @@ void ConnectDialog::search(const robot::Host& host) {
   found_->look(address_->text().trimmed(), probes_(host));
 }
 
-void ConnectDialog::noteLook() {
+void ConnectDialog::updateLook() {
   // A robot that is known keeps it at once; another one when it is connected to.
   const auto parsed = recents_.addresses().parse(address());
   if (unknownHost() || !parsed || look_.look() == recents_.look(parsed->text)) return;

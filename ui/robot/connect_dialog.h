@@ -54,7 +54,7 @@ class ConnectDialog : public QDialog {
   void showRecent(const QString& address);
   void chooseKind();
   /// A kind was chosen for a whole address of another one: its host stays.
-  void takeApart();
+  void splitAddress();
   /// A port that is none is being typed.
   bool portBeyond() const;
   QString hint(const QString& made, const std::optional<robot::Host>& host) const;
@@ -63,7 +63,7 @@ class ConnectDialog : public QDialog {
   void search(const robot::Host& host);
   void start(const QString& address, const QByteArray& secret);
   void setError(const QString& sentence);
-  void noteLook();
+  void updateLook();
 
   const robot::AddressScheme* kind() const;  // null: it is found out
   /// What the fields say; empty: not enough.

@@ -61,7 +61,7 @@ ConnectionController::ConnectionController(WindowContext& context, Means means, 
   });
   context_.actions.place({MenuGroup::Files, 20}, files->menuAction());
   addActions();
-  connect(context_.overlay.card(), &EmptyStateCard::wanted, this, &ConnectionController::takeOffer);
+  connect(context_.overlay.card(), &EmptyStateCard::wanted, this, &ConnectionController::acceptOffer);
   connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
   stale_tick_.setInterval(kTickMs);
   connect(&stale_tick_, &QTimer::timeout, this, [this] {
@@ -157,7 +157,7 @@ void ConnectionController::addRecents(QMenu& menu, bool files, const QString& ti
   }
 }
 
-void ConnectionController::takeOffer(CardOffer offer) {
+void ConnectionController::acceptOffer(CardOffer offer) {
   switch (offer) {
     case CardOffer::Connect:
       return openDialog();
@@ -239,17 +239,17 @@ void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const Robo
   recents_.tried(unproven_, look);
   context_.current.begin(std::move(robot));
   showLook();
-  noteWorks();
+  onWorks();
   context_.view.setFocus();
 }
 
-void ConnectionController::noteWorks() {
+void ConnectionController::onWorks() {
   const session::Session* const session = context_.current.session();
   if (!session || unproven_.isEmpty() || session->connection().phase != ConnectionPhase::Online) return;
   const QString address = std::exchange(unproven_, QString());
   recents_.add(address, QDateTime::currentDateTime());
-  noteIdentity();
-  noteSettings();
+  saveIdentity();
+  storeSettings();
   if (typed_secret_ && secrets_.kept(address)) {
     // It was agreed to, and this one works.
     secrets_.keep(address, secret_, [](const keyring::KeyRingAnswer&) {});
@@ -303,7 +303,7 @@ void ConnectionController::editLook() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, address = context_.current.address()] {
     recents_.setLook(address, dialog->look());
-    noteSettings();
+    storeSettings();
     if (address != context_.current.address()) return;
     look_ = dialog->look();
     showLook();
@@ -410,11 +410,11 @@ void ConnectionController::setSession(session::Session* session) {
   last_uuid_.clear();
   expected_.reset();
   if (!session) return;
-  connect(session, &session::Session::identityChanged, this, &ConnectionController::noteIdentity);
-  connect(session, &session::Session::sessionRestarted, this, &ConnectionController::noteRestart);
+  connect(session, &session::Session::identityChanged, this, &ConnectionController::saveIdentity);
+  connect(session, &session::Session::sessionRestarted, this, &ConnectionController::updateRestart);
 }
 
-void ConnectionController::noteSettings() {
+void ConnectionController::storeSettings() {
   QSettings& settings = context_.settings;
   settings.sync();
   if (settings.status() == QSettings::NoError || std::exchange(settings_told_, true)) return;
@@ -424,7 +424,7 @@ void ConnectionController::noteSettings() {
           .arg(QDir::toNativeSeparators(settings.fileName())));
 }
 
-void ConnectionController::noteIdentity() {
+void ConnectionController::saveIdentity() {
   const session::Session* const session = context_.current.session();
   if (!session) return;
   const robot::RobotIdentity identity = session->robot().identity();
@@ -432,7 +432,7 @@ void ConnectionController::noteIdentity() {
   if (!name.isEmpty()) recents_.setName(context_.current.address(), name);
 }
 
-void ConnectionController::noteRestart() {
+void ConnectionController::updateRestart() {
   const session::Session* const session = context_.current.session();
   if (!session) return;
   const QString uuid = QString::fromStdString(session->submaps().uuid());
@@ -453,7 +453,7 @@ void ConnectionController::setSafety(const SafetyText& text) {
 }
 
 void ConnectionController::refresh() {
-  noteWorks();
+  onWorks();
   const session::Session* const session = context_.current.session();
   const bool local = session && session->robot().isLocal();
   const QString no_robot =

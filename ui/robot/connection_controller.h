@@ -77,21 +77,21 @@ class ConnectionController : public Controller {
   std::optional<QString> connectWith(const QString& address, const QByteArray& secret, const RobotLook& look);
   void begin(std::unique_ptr<robot::Robot> robot, const RobotLook& look);
   /// Keeps what has worked: the address, its name and colour, perhaps its secret.
-  void noteWorks();
+  void onWorks();
   void askToKeepSecret(const QString& address);
   void forget(const QString& address);
   void editLook();
   void showLook();
   void leave();
-  void takeOffer(CardOffer offer);
+  void acceptOffer(CardOffer offer);
   void openDialog();
   void enterSecret();
   void openCertificate();
   /// That of the robot's second server, if it is a problem.
   std::optional<robot::UntrustedCertificate> certificateBeside() const;
-  void noteSettings();
-  void noteIdentity();
-  void noteRestart();
+  void storeSettings();
+  void saveIdentity();
+  void updateRestart();
   void refresh();
   void refreshChip();
   void refreshNotices();

@@ -104,8 +104,8 @@ void FoundRobots::refresh() {
     text = sentences::counted(tr("%1 ways to connect to %2", nullptr, sentences::formOf(count)), count)
                .replace(QLatin1String("%2"), words::plainName(called_));
   } else {
-    text =
-        stopped_ ? tr("Stopped. Nothing has answered at %1 yet.").arg(words::plainName(called_)) : whyNone();
+    text = stopped_ ? tr("Stopped. Nothing has answered at %1 yet.").arg(words::plainName(called_))
+                    : noneReason();
   }
   state_->setText(text);
   setTextColor(*state_,
@@ -114,7 +114,7 @@ void FoundRobots::refresh() {
   Q_EMIT changed();
 }
 
-QString FoundRobots::whyNone() const {
+QString FoundRobots::noneReason() const {
   const QString called = words::plainName(called_);
   const auto* const row = search_ ? search_->mostTelling() : nullptr;
   if (!row) return tr("No robot answers at %1. Is it switched on, and in this network?").arg(called);

@@ -41,7 +41,7 @@ class FoundRobots : public QWidget {
  private:
   void refresh();
   void fill();
-  QString whyNone() const;
+  QString noneReason() const;
 
   const robot::Addresses& addresses_;
   QLabel* state_;

@@ -39,10 +39,10 @@ void ProblemsController::setSession(session::Session* session) {
   dock_->setSession(session);
   told_ = false;
   if (session)
-    connect(session, &session::Session::problemsChanged, this, &ProblemsController::tellFirstError);
+    connect(session, &session::Session::problemsChanged, this, &ProblemsController::reportFirstError);
 }
 
-void ProblemsController::tellFirstError() {
+void ProblemsController::reportFirstError() {
   // So that it is noticed; after that the count in the status bar is enough. The panel does not open by
   // itself: it could appear where the user is about to click.
   session::Session* const session = context_.current.session();

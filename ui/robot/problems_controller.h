@@ -20,7 +20,7 @@ class ProblemsController : public Controller {
   void retryWanted();
 
  private:
-  void tellFirstError();
+  void reportFirstError();
 
   WindowContext& context_;
   ProblemsDock* dock_;

@@ -82,7 +82,7 @@ class CloudsLayer : public DeviceLayer {
   geometry::WorldRect contentBounds() const override { return clouds_.bounds(); }
 
  protected:
-  void takeView(const geometry::ViewTransform& device_view) override {
+  void onViewChanged(const geometry::ViewTransform& device_view) override {
     // Points have a size in window pixels.
     const double ratio = context_.view.scale_m_per_px / device_view.scale_m_per_px;
     if (std::exchange(ratio_, ratio) != ratio) lookChanged();
@@ -151,9 +151,10 @@ LayerSpec layerSpec<Layer::DispatchedCloud>() {
               },
           .why_empty =
               [](robot::Robot& robot) {
-                return robot.mapDispatch() ? QString()
-                                           : sentences::whyAbsent(robot::Capability::Dispatch,
-                                                                  robot.whyNot(robot::Capability::Dispatch));
+                return robot.mapDispatch()
+                           ? QString()
+                           : sentences::absenceReason(robot::Capability::Dispatch,
+                                                      robot.unavailableReason(robot::Capability::Dispatch));
               },
           .items = oneItem<CloudsLayer>,
           .legend = cloudsLegend};

@@ -154,7 +154,7 @@ class DoorsLayer : public SmallLayer {
  public:
   using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    notePainted();
+    markPainted();
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::AutoDoor& door : context_.live->doors) {
       const QPolygonF polygon = toPolygon(context_.view, door.polygon);
@@ -200,7 +200,7 @@ class BoxesLayer : public SmallLayer {
  public:
   using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    notePainted();
+    markPainted();
     const QColor common = colorOr(context_.theme.place);
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::GroundDrawing& drawing : context_.live->drawings)
@@ -300,7 +300,7 @@ class LandmarksLayer : public SmallLayer {
  public:
   using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    notePainted();
+    markPainted();
     const QColor color = colorOr(context_.theme.constraint);
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::Landmark& landmark : landmarks()) {
@@ -459,7 +459,7 @@ LayerSpec layerSpec<Layer::Overlays>() {
           .group = LayerGroup::Annotations,
           .streams = {map::Stream::MapInfo},
           .follows_robot = false,
-          .why_empty = whyNoMapFeatures,
+          .why_empty = noMapFeaturesReason,
           .items = itemForEachMap<OverlaysLayer>,
           .legend = overlaysLegend};
 }
@@ -472,7 +472,7 @@ LayerSpec layerSpec<Layer::Landmarks>() {
           .streams = {map::Stream::Landmarks},
           .topics = {map::topicIndex<map::LandmarksMessage>()},
           .traits = [] { return LayerTraits{.color = true}; },
-          .why_empty = whyNoMapFeatures,
+          .why_empty = noMapFeaturesReason,
           .items = itemForEachMap<LandmarksLayer>,
           .legend = landmarksLegend};
 }

@@ -73,19 +73,19 @@ LayerTraits lineTraits(double width_px) {
 
 QString neverEmpty(robot::Robot&) { return {}; }
 
-QString whyNoLiveData(robot::Robot& robot) {
+QString noLiveDataReason(robot::Robot& robot) {
   return robot.liveTopics() || robot.submapSource()
              ? QString()
              : QCoreApplication::translate("scene", "There is no live data here, so this layer stays empty.");
 }
 
-QString whyNoSubmaps(robot::Robot& robot) {
-  return robot.submapSource()
-             ? QString()
-             : sentences::whyAbsent(robot::Capability::Submaps, robot.whyNot(robot::Capability::Submaps));
+QString noSubmapsReason(robot::Robot& robot) {
+  return robot.submapSource() ? QString()
+                              : sentences::absenceReason(robot::Capability::Submaps,
+                                                         robot.unavailableReason(robot::Capability::Submaps));
 }
 
-QString whyNoMapFeatures(robot::Robot& robot) {
+QString noMapFeaturesReason(robot::Robot& robot) {
   return robot.wholeMapSource() || robot.liveTopics()
              ? QString()
              : QCoreApplication::translate("scene", "This robot does not provide this.");

@@ -87,9 +87,9 @@ class Legend;
 /// Why a robot has no data for a layer, as a sentence; empty if it has.
 using WhyEmpty = QString (*)(robot::Robot& robot);
 QString neverEmpty(robot::Robot& robot);
-QString whyNoLiveData(robot::Robot& robot);
-QString whyNoSubmaps(robot::Robot& robot);
-QString whyNoMapFeatures(robot::Robot& robot);
+QString noLiveDataReason(robot::Robot& robot);
+QString noSubmapsReason(robot::Robot& robot);
+QString noMapFeaturesReason(robot::Robot& robot);
 
 /// What is known about a layer.
 struct LayerSpec {
@@ -107,7 +107,7 @@ struct LayerSpec {
   bool order_fixed = false;   // its position in the order is
   bool in_fit = false;        // what it holds belongs into the view that shows everything, as maps do
   LayerTraits (*traits)() = [] { return LayerTraits(); };
-  WhyEmpty why_empty = whyNoLiveData;
+  WhyEmpty why_empty = noLiveDataReason;
   /// The graphics items that draw it, bottom first; null: RasterStack makes them.
   std::vector<LayerItem*> (*items)(const LayerContext& context) = nullptr;
   /// What its colours and shapes mean (scene/legend.h); null: nothing that needs to be said.

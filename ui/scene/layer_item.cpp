@@ -106,7 +106,7 @@ QVariant LayerItem::itemChange(GraphicsItemChange change, const QVariant& value)
 
 void SmallLayer::liveChanged() {
   const QRectF before = painted_;
-  notePainted();
+  markPainted();
   for (const QRectF& rect : {before, painted_}) {
     if (!rect.isEmpty()) update(rect);
   }
@@ -150,7 +150,7 @@ void DeviceLayer::viewMoved() {
   view.scale_m_per_px /= pixel_ratio_;
   view.width_px = int(std::ceil(view.width_px * pixel_ratio_));
   view.height_px = int(std::ceil(view.height_px * pixel_ratio_));
-  takeView(view);
+  onViewChanged(view);
 }
 
 void DeviceLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {

@@ -187,7 +187,7 @@ class SmallLayer : public LayerItem {
   /// The part of the viewport that it paints now; empty = nothing.
   virtual QRectF reach() const = 0;
   /// To be called by paint().
-  void notePainted() { painted_ = reach(); }
+  void markPainted() { painted_ = reach(); }
   /// The part of these points in view, with a margin.
   QRectF reachOf(std::span<const Eigen::Vector2d> world_m, double margin_px) const;
 
@@ -216,7 +216,7 @@ class DeviceLayer : public LayerItem {
 
  protected:
   /// The camera in device pixels.
-  virtual void takeView(const geometry::ViewTransform& device_view) = 0;
+  virtual void onViewChanged(const geometry::ViewTransform& device_view) = 0;
   /// `painter` and `exposed` are in device pixels.
   virtual void paintPixels(QPainter& painter, const QRectF& exposed) = 0;
 

@@ -151,7 +151,7 @@ class PathLayer : public LinesLayer {
  public:
   using LinesLayer::LinesLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
-    notePainted();
+    markPainted();
     paintLines(*painter, colorOr(context_.theme.path), sizeOr(kPathPx), context_.live->path,
                option->exposedRect);
   }
@@ -166,7 +166,7 @@ class TrajectoryLayer : public LinesLayer {
  public:
   using LinesLayer::LinesLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
-    notePainted();
+    markPainted();
     const auto paint_one = [&](std::span<const Eigen::Vector2d> line) {
       paintLines(*painter, colorOr(context_.theme.trajectory), sizeOr(kTrajectoryPx), line,
                  option->exposedRect);
@@ -236,7 +236,7 @@ class LocalPathLayer : public SmallLayer {
  public:
   using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
-    notePainted();
+    markPainted();
     const map::LocalPathMessage& path = context_.live->local_path;
     if (path.points.size() < 2) return;
     QColor color = translucent(colorOr(context_.theme.path), 90);
@@ -266,7 +266,7 @@ class TargetLayer : public SmallLayer {
  public:
   using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    notePainted();
+    markPainted();
     const auto& planning = context_.live->planning;
     if (!planning) return;
     const QColor color = colorOr(context_.theme.target);
@@ -329,7 +329,7 @@ class NearbyRobotsLayer : public SmallLayer {
  public:
   using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    notePainted();
+    markPainted();
     const QColor color = colorOr(context_.theme.other_robot);
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::NearbyRobot& other : context_.live->nearby_robots) {
@@ -399,7 +399,7 @@ LayerSpec layerSpec<Layer::Trajectory>() {
           .streams = {map::Stream::Trajectory},
           .topics = {map::topicIndex<map::TrajectoryMessage>()},
           .traits = [] { return lineTraits(kTrajectoryPx); },
-          .why_empty = whyNoMapFeatures,
+          .why_empty = noMapFeaturesReason,
           .items = itemForEachMap<TrajectoryLayer>,
           .legend = trajectoryLegend};
 }

@@ -35,7 +35,7 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, std::shared_p
   items_ = std::make_unique<SceneItems>(
       *this, *renderer_, renderer_options, std::move(clouds),
       [this] {
-        if (items_) noteSettled();
+        if (items_) emitSettled();
       },
       [this] { placeLabelsSoon(); });
   setBackgroundBrush(QColor(theme().map.unknown));
@@ -48,7 +48,7 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, std::shared_p
   repaint_timer_.setSingleShot(true);
   repaint_timer_.setTimerType(Qt::PreciseTimer);
   connect(&repaint_timer_, &QTimer::timeout, this, &MapScene::paintContent);
-  connect(renderer_.get(), &render::TileRenderer::settledChanged, this, [this] { noteSettled(); });
+  connect(renderer_.get(), &render::TileRenderer::settledChanged, this, [this] { emitSettled(); });
   syncColors();
   geometry::ViewTransform view;
   view.width_px = 640;
@@ -147,12 +147,12 @@ void MapScene::setSession(session::Session* session) {
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
     connect(session_, &Session::rowsTouched, this, &MapScene::syncMarks);
-    connect(session_, &Session::liveChanged, this, &MapScene::takeLive);
-    connect(session_, &Session::frameChanged, this, &MapScene::takeFrame);
+    connect(session_, &Session::liveChanged, this, &MapScene::onLive);
+    connect(session_, &Session::frameChanged, this, &MapScene::onFrame);
     for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
       connect(slot, &session::MapSlot::changed, this, [this] {
         syncPlace();
-        noteSettled();
+        emitSettled();
       });
     }
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &MapScene::syncPlace);
@@ -354,7 +354,7 @@ void MapScene::syncColors() {
   renderer_->setColors(colors, color_mode_);
 }
 
-void MapScene::takeLive(int what) {
+void MapScene::onLive(int what) {
   using map::topicIndex;
   SceneItems& items = *items_;
   if (what == topicIndex<map::TrackedPose>() && items.context.live->robot_pose == items.robot_pose) {
@@ -390,7 +390,7 @@ void MapScene::takeLive(int what) {
   }
 }
 
-void MapScene::takeFrame() {
+void MapScene::onFrame() {
   items_->trail_length = 0;
   items_->robot_rect = robotRect(items_->context);
   items_->robot_pose = items_->context.live->robot_pose;
@@ -399,7 +399,7 @@ void MapScene::takeFrame() {
 }
 
 void MapScene::syncFeatures() {
-  items_->takeFeatures(session_);
+  items_->setFeatures(session_);
   for (const Layer layer :
        {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory, Layer::Problems}) {
     items_->update(layer);
@@ -416,7 +416,7 @@ void MapScene::sendWants() {
   session_->want(QStringLiteral("layers"), streams);
 }
 
-void MapScene::noteSettled() {
+void MapScene::emitSettled() {
   if (picturesSettled()) Q_EMIT tilesSettled();
 }
 
@@ -601,7 +601,7 @@ void MapScene::setStale(bool stale) { items_->stale->setVisible(stale); }
 void MapScene::setWaypoints(std::optional<DrawnWaypoints> waypoints) {
   if (!waypoints && !items_->edited) return;
   items_->edited = std::move(waypoints);
-  items_->takeWaypoints(session_);
+  items_->updateWaypoints(session_);
   items_->update(Layer::Waypoints);
 }
 
@@ -609,7 +609,7 @@ void MapScene::setOverlays(std::optional<DrawnOverlays> overlays) {
   if (!overlays && !items_->edited_overlays) return;
   items_->edited_overlays = std::move(overlays);
   if (!items_->edited_overlays) return syncFeatures();
-  items_->takeOverlays(session_);
+  items_->updateOverlays(session_);
   items_->update(Layer::Overlays);
 }
 
@@ -802,7 +802,7 @@ void MapScene::setTrack(std::shared_ptr<const Track> track) {
 void MapScene::setPoseBetween(const std::optional<geometry::Pose2>& pose) {
   if (pose == items_->context.between) return;
   items_->context.between = pose;
-  if (session_) takeLive(map::topicIndex<map::TrackedPose>());
+  if (session_) onLive(map::topicIndex<map::TrackedPose>());
   Q_EMIT poseBetweenChanged();
 }
 

@@ -207,15 +207,15 @@ class MapScene : public QGraphicsScene {
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
-  void takeLive(int what);
-  void takeFrame();
+  void onLive(int what);
+  void onFrame();
   void syncColors();
   void syncFeatures();
   void syncPlace();
   void showPlaced();
   void sendWants();
   void applyReduction();
-  void noteSettled();
+  void emitSettled();
   void syncPlaced(const std::vector<map::SubmapId>& ids);
   void paintContentSoon();
   void paintContent();

@@ -127,7 +127,7 @@ LayerSpec layerSpec<Layer::Outlines>() {
   return {.name = "outlines",
           .title = QT_TRANSLATE_NOOP("scene", "Outlines"),
           .shown = false,
-          .why_empty = whyNoSubmaps,
+          .why_empty = noSubmapsReason,
           .items = oneItem<OutlinesLayer>,
           .legend = outlinesLegend};
 }
@@ -137,7 +137,7 @@ LayerSpec layerSpec<Layer::Ids>() {
   return {.name = "ids",
           .title = QT_TRANSLATE_NOOP("scene", "Submap ids"),
           .shown = false,
-          .why_empty = whyNoSubmaps,
+          .why_empty = noSubmapsReason,
           .items = oneItem<IdsLayer>,
           .legend = idsLegend};
 }

@@ -338,8 +338,8 @@ LayerSpec layerSpec<Layer::WholeMap>() {
               [](robot::Robot& robot) {
                 return robot.wholeMapSource() || robot.liveTopics()
                            ? QString()
-                           : sentences::whyAbsent(robot::Capability::WholeMaps,
-                                                  robot.whyNot(robot::Capability::WholeMaps));
+                           : sentences::absenceReason(robot::Capability::WholeMaps,
+                                                      robot.unavailableReason(robot::Capability::WholeMaps));
               },
           .legend = [](Legend& legend) { addCells(legend, legend.theme().map); }};
 }

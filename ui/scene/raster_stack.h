@@ -31,7 +31,7 @@ class RasterLayer : public DeviceLayer {
   std::size_t cacheBytes() const override { return renderer_.cacheBytes(); }
 
  protected:
-  void takeView(const geometry::ViewTransform& device_view) override { renderer_.setView(device_view); }
+  void onViewChanged(const geometry::ViewTransform& device_view) override { renderer_.setView(device_view); }
   void paintPixels(QPainter& painter, const QRectF& exposed) override;
 
  private:

@@ -195,8 +195,8 @@ LayerSpec layerSpec<Layer::Regions>() {
           [](robot::Robot& robot) {
             const robot::MapDispatch* const dispatch = robot.mapDispatch();
             if (!dispatch)
-              return sentences::whyAbsent(robot::Capability::Dispatch,
-                                          robot.whyNot(robot::Capability::Dispatch));
+              return sentences::absenceReason(robot::Capability::Dispatch,
+                                              robot.unavailableReason(robot::Capability::Dispatch));
             // If it has disappeared, received data stays.
             const auto offers = dispatch->offers();
             const bool gone =

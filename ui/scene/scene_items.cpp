@@ -221,7 +221,7 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
         static_cast<QGraphicsItem*>(labels_above_)})
     scene.addItem(item);
   stale->setVisible(false);
-  context.changed = [this](const LayerItem& item, const QRectF& rect) { noteChange(item, rect); };
+  context.changed = [this](const LayerItem& item, const QRectF& rect) { onItemChanged(item, rect); };
   stack();
   applyVisibility();
 }
@@ -241,7 +241,7 @@ void SceneItems::viewportResized() {
   for (LabelsItem* item : {labels_below_, labels_above_}) item->viewportResized();
 }
 
-void SceneItems::noteChange(const LayerItem& item, const QRectF& rect) {
+void SceneItems::onItemChanged(const LayerItem& item, const QRectF& rect) {
   if (!rect.isEmpty() && ground_->holds(&item)) ground_->changed(rect);
   if (item.labelUse() == LabelUse::None) return;
   const bool was_due = labels.due();
@@ -386,7 +386,7 @@ bool SceneItems::placeRobot(session::Session* session) {
   return !(place == before);
 }
 
-void SceneItems::takeWaypoints(const session::Session* session) {
+void SceneItems::updateWaypoints(const session::Session* session) {
   const auto take = [this, session](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
     features.waypoints.clear();
     if (!on_screen) return;
@@ -416,7 +416,7 @@ bool SceneItems::showsRobotsOverlays(const session::Session& session) const {
   return place.overlays_fit && (!opened(session) || beside);
 }
 
-void SceneItems::takeOverlays(const session::Session* session) {
+void SceneItems::updateOverlays(const session::Session* session) {
   overlays_edited.clear();
   if (!session || !edited_overlays) return;
   const auto take = [this](FeaturesOf of) {
@@ -427,9 +427,9 @@ void SceneItems::takeOverlays(const session::Session* session) {
   if (edited_overlays->robots && showsRobotsOverlays(*session)) take(FeaturesOf::Robot);
 }
 
-void SceneItems::takeFeatures(const session::Session* session) {
+void SceneItems::setFeatures(const session::Session* session) {
   context.features = {};
-  takeWaypoints(session);
+  updateWaypoints(session);
   if (!session) return;
   const MapsOnScreen on_screen = onScreen();
   const auto take = [](const session::MapSlot& slot, MapFeatures& features) {
@@ -450,7 +450,7 @@ void SceneItems::takeFeatures(const session::Session* session) {
     robots.overlays = context.live->map_info->overlays;
     robots.broken_overlays = context.live->map_info->broken_overlays;
   }
-  takeOverlays(session);
+  updateOverlays(session);
 }
 
 }  // namespace mapwright::scene

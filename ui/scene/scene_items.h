@@ -32,11 +32,11 @@ class SceneItems {
   /// The user's choice (`shown`), modified by the needs of a comparison.
   void applyVisibility();
   /// The features of the maps shown, from what is known of them and from the robot's messages.
-  void takeFeatures(const session::Session* session);
+  void setFeatures(const session::Session* session);
   /// The waypoints: the edited ones, otherwise the robot's.
-  void takeWaypoints(const session::Session* session);
+  void updateWaypoints(const session::Session* session);
   /// The edited overlays, where their map is shown.
-  void takeOverlays(const session::Session* session);
+  void updateOverlays(const session::Session* session);
   /// Updates where the robot is drawn; true if that has changed.
   bool placeRobot(session::Session* session);
   /// All items of a layer: some layers show several maps.
@@ -77,7 +77,7 @@ class SceneItems {
 
  private:
   void layGround();
-  void noteChange(const LayerItem& item, const QRectF& rect);
+  void onItemChanged(const LayerItem& item, const QRectF& rect);
 
   GroundItem* ground_;
   LabelsItem *labels_below_, *labels_above_;  // the veil

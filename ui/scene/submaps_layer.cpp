@@ -25,7 +25,7 @@ class SubmapsLayer : public DeviceLayer {
   geometry::WorldRect contentBounds() const override { return boundsOf(context_.outlines); }
 
  protected:
-  void takeView(const geometry::ViewTransform& device_view) override {
+  void onViewChanged(const geometry::ViewTransform& device_view) override {
     context_.submaps->setView(device_view);
   }
   void paintPixels(QPainter& painter, const QRectF& exposed) override {
@@ -109,7 +109,7 @@ LayerSpec layerSpec<Layer::Submaps>() {
   return {.name = "submaps",
           .title = QT_TRANSLATE_NOOP("scene", "Submaps"),
           .in_all = false,  // --mode decides about them
-          .why_empty = whyNoSubmaps,
+          .why_empty = noSubmapsReason,
           .items = oneItem<SubmapsLayer>,
           .legend = submapsLegend};
 }

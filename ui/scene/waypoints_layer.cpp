@@ -237,8 +237,8 @@ LayerSpec layerSpec<Layer::Waypoints>() {
               [](robot::Robot& robot) {
                 return robot.waypointSource() || robot.waypointStore()
                            ? QString()
-                           : sentences::whyAbsent(robot::Capability::Waypoints,
-                                                  robot.whyNot(robot::Capability::Waypoints));
+                           : sentences::absenceReason(robot::Capability::Waypoints,
+                                                      robot.unavailableReason(robot::Capability::Waypoints));
               },
           .items = itemForEachMap<WaypointsLayer>,
           .legend = waypointsLegend};

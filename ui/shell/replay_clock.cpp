@@ -39,7 +39,7 @@ void ReplayClock::attach(replay::ReplayRobot& robot, session::Session& session) 
             session.reset(world, knowledge == Knowledge::Exact);
           });
   connect(&robot, &robot::Robot::connectionChanged, this, &ReplayClock::open);
-  connect(&robot, &replay::ReplayRobot::knowledgeChanged, this, &ReplayClock::noteState);
+  connect(&robot, &replay::ReplayRobot::knowledgeChanged, this, &ReplayClock::updateState);
   open();
 }
 
@@ -62,7 +62,7 @@ void ReplayClock::open() {
   if (player_ || !reading || !reading->info()) return;
   player_.emplace(reading->chunks().start_s(), reading->chunks().end_s());
   untouched_ = true;
-  connect(reading, &replay::Reading::changed, this, &ReplayClock::noteRead);
+  connect(reading, &replay::Reading::changed, this, &ReplayClock::onRead);
   Q_EMIT opened();
   goSoon();
 }
@@ -110,14 +110,14 @@ void ReplayClock::play() {
   untouched_ = false;
   player_->playUntil(std::nullopt, now());
   player_->play(now());
-  noteState();
+  updateState();
   goSoon();
 }
 
 void ReplayClock::pause() {
   if (!player_) return;
   player_->pause(now());
-  noteState();
+  updateState();
   goSoon();
 }
 
@@ -149,7 +149,7 @@ void ReplayClock::step(double by_s) {
   untouched_ = false;
   player_->step(by_s, now());
   Q_EMIT timeChanged(at());
-  noteState();
+  updateState();
   goSoon();
 }
 
@@ -204,11 +204,11 @@ void ReplayClock::proceed() {
   if (moved) Q_EMIT timeChanged(at_s);
   went_ = clock_.elapsed();
   pause_ms_ = std::clamp(went_ - began, kReplayFrameMs, kLongestPauseMs);
-  noteState();
+  updateState();
   if (player_ && player_->playing(now())) goSoon();
 }
 
-void ReplayClock::noteState() {
+void ReplayClock::updateState() {
   if (!player_) return;
   // The robot may know of a range before this does: what opens at the first map has been nowhere else.
   if (knowledge() == Knowledge::Exact && goToFirstMap()) return;
@@ -218,7 +218,7 @@ void ReplayClock::noteState() {
   if (state.playing && !timer_.isActive()) goSoon();
 }
 
-void ReplayClock::noteRead() {
+void ReplayClock::onRead() {
   const replay::Reading* const reading = this->reading();
   if (!reading) return;
   player_->extend(reading->chunks().end_s());

@@ -81,8 +81,8 @@ class ReplayClock : public QObject {
   void open();
   void proceed();
   void goSoon();
-  void noteState();
-  void noteRead();
+  void updateState();
+  void onRead();
   /// A bag is shown from its first map on, or where its first range has none, from its first message on:
   /// before that there is nothing to see. True where it went there.
   bool goToFirstMap();

@@ -344,8 +344,7 @@ void InspectorDock::buildTree() {
   connect(tree_, &QTreeView::customContextMenuRequested, this, &InspectorDock::showMenu);
   // The selection and not the current row: that one moves by itself to a
   // neighbour of a removed row.
-  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &InspectorDock::takeSelection);
+  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &InspectorDock::onSelection);
 }
 
 void InspectorDock::setSession(session::Session* session) {
@@ -360,7 +359,7 @@ void InspectorDock::setSession(session::Session* session) {
     // New rows are processed even while the dock is closed: they may belong to
     // a group that was switched off.
     connect(session, &session::Session::listChanged, this, &InspectorDock::keepHiddenGroups);
-    connect(session, &session::Session::rowsTouched, this, &InspectorDock::takeRows);
+    connect(session, &session::Session::rowsTouched, this, &InspectorDock::onRows);
     connect(session, &session::Session::connectionChanged, this, [this] { refreshSummary(); });
     connect(session, &session::Session::liveChanged, this, [this](int what) {
       if (what == map::topicIndex<map::SlamStatus>()) refreshSummary();
@@ -414,10 +413,10 @@ void InspectorDock::fitColumns() {
 
 void InspectorDock::refresh() {
   keepHiddenGroups();
-  takeRows({true, {}});
+  onRows({true, {}});
 }
 
-void InspectorDock::takeRows(const session::TouchedRows& rows) {
+void InspectorDock::onRows(const session::TouchedRows& rows) {
   missed_rows_ |= rows.all || !isVisible();
   if (!isVisible()) return;
   const bool first_rows = model_->rowCount(model_->index(0, 0)) == 0;
@@ -519,7 +518,7 @@ std::set<map::SubmapId> InspectorDock::selectedLeaves() const {
   return leaves;
 }
 
-void InspectorDock::takeSelection() {
+void InspectorDock::onSelection() {
   scene_->setHighlighted(selectedLeaves());
   refreshDetails();
 }
@@ -571,8 +570,8 @@ void InspectorDock::refreshDetails() {
     text = sentences::counted(tr("%1 submaps are selected.", nullptr, int(leaves.size())),
                               qint64(leaves.size()));
   } else if (session_ && !session_->robot().submapSource()) {
-    text = sentences::whyAbsent(robot::Capability::Submaps,
-                                session_->robot().whyNot(robot::Capability::Submaps));
+    text = sentences::absenceReason(robot::Capability::Submaps,
+                                    session_->robot().unavailableReason(robot::Capability::Submaps));
   } else {
     text =
         tr("Select a submap to see its pose and state. Double-click one to "

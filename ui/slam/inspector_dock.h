@@ -68,11 +68,11 @@ class InspectorDock : public QDockWidget {
   void refresh();
   void refreshSummary();
   void refreshSlices();
-  void takeRows(const session::TouchedRows& rows);
+  void onRows(const session::TouchedRows& rows);
   void refreshDetails();
   void refreshGroups();
   void fitColumns();
-  void takeSelection();
+  void onSelection();
   void showSubmaps(const std::vector<map::SubmapId>& ids, bool visible);
   void setGroupVisible(bool SubmapFacts::*flag, bool visible);
   void keepHiddenGroups();

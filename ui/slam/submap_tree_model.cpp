@@ -66,14 +66,14 @@ void SubmapTreeModel::sync() {
     for (const auto& [id, row] : session_->submaps().rows()) {
       if (fresh.empty() || fresh.back().front().id.trajectory != id.trajectory) fresh.emplace_back();
       fresh.back().push_back(factsOf(*session_, id, row));
-      noteWidth(fresh.back().back());
+      updateWidth(fresh.back().back());
     }
   }
-  if (widest_leaf_.isEmpty()) noteWidth({});
-  takeOver(fresh);
+  if (widest_leaf_.isEmpty()) updateWidth({});
+  moveRows(fresh);
 }
 
-void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
+void SubmapTreeModel::updateWidth(const SubmapFacts& facts) {
   const auto longer = [](std::int32_t a, std::int32_t b) {
     return QString::number(b).size() > QString::number(a).size() ? b : a;
   };
@@ -123,7 +123,7 @@ void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
     if (known) count(branch, *leaf, -1);
     if (row) {
       count(branch, fresh, 1);
-      noteWidth(fresh);
+      updateWidth(fresh);
     }
     if (!row) {
       beginRemoveRows(createIndex(branch_row, 0, kBranchId), at, at);
@@ -157,10 +157,10 @@ void SubmapTreeModel::syncVisibility() {
         facts.visible = row->visible;
     }
   }
-  takeOver(fresh);
+  moveRows(fresh);
 }
 
-void SubmapTreeModel::takeOver(const Rows& fresh) {
+void SubmapTreeModel::moveRows(const Rows& fresh) {
   std::vector<std::pair<int, int>> before;
   syncBranches(fresh);
   for (const Branch& branch : branches_) before.emplace_back(branch.visible, branch.shown);

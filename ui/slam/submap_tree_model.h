@@ -76,12 +76,12 @@ class SubmapTreeModel : public QAbstractItemModel {
   int branchRow(std::int32_t trajectory) const;        // -1 = none
   using Rows = std::vector<std::vector<SubmapFacts>>;  // one list per trajectory, none of
                                                        // them empty
-  void takeOver(const Rows& fresh);
+  void moveRows(const Rows& fresh);
   void syncBranches(const Rows& fresh);
   void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);
   void recount();
   void count(Branch& branch, const SubmapFacts& facts, int by);
-  void noteWidth(const SubmapFacts& facts);
+  void updateWidth(const SubmapFacts& facts);
   QVariant groupData(const QString& name, int visible, int shown, int total, int column, int role) const;
   static QString leafName(map::SubmapId id, std::int32_t version);
   static QString groupName(std::int32_t trajectory);

@@ -110,19 +110,19 @@ void MapView::zoomSteps(double steps, std::optional<QPointF> anchor) {
     to = to.rotatedAt(vector(at), goal.rotation_rad - now.rotation_rad);
   }
   to.scale_m_per_px = scale;
-  takeByHand(true);
+  onMovedByHand(true);
   moveTo(to, true, at);
 }
 
 void MapView::zoomFactorAt(const QPointF& anchor, double factor) {
-  takeByHand(true);
+  onMovedByHand(true);
   stopMoving();
   setView(scene_->view().zoomedAt(vector(anchor), factor));
 }
 
 void MapView::setScale(double scale_m_per_px) {
   const geometry::ViewTransform now = destination();
-  takeByHand(true);
+  onMovedByHand(true);
   moveTo(now.zoomedAt(vector(middle()), now.scale_m_per_px / scale_m_per_px), true);
 }
 
@@ -133,7 +133,7 @@ void MapView::rotateBy(double rad, std::optional<QPointF> anchor) {
   geometry::ViewTransform to =
       now.rotatedAt(vector(at), geometry::normalizeAngle(goal.rotation_rad + rad - now.rotation_rad));
   to = to.zoomedAt(vector(at), to.scale_m_per_px / goal.scale_m_per_px);
-  takeByHand(true);
+  onMovedByHand(true);
   moveTo(to, true, at);
 }
 
@@ -144,7 +144,7 @@ void MapView::setRotation(double rad) {
 void MapView::lookAt(const Eigen::Vector2d& world_m, bool animated) {
   geometry::ViewTransform to = destination();
   to.center_m = world_m;
-  takeByHand();
+  onMovedByHand();
   moveTo(to, animated);
 }
 
@@ -199,12 +199,12 @@ void MapView::updateCovered() {
 }
 
 void MapView::panBy(const QPointF& pixels) {
-  takeByHand();
+  onMovedByHand();
   stopMoving();
   setView(scene_->view().pannedBy(vector(pixels)));
 }
 
-void MapView::takeByHand(bool keeps_following) {
+void MapView::onMovedByHand(bool keeps_following) {
   kept_fit_.reset();
   if (!keeps_following) setFollowing(false);
   Q_EMIT movedByHand();
@@ -457,7 +457,7 @@ void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
   geometry::ViewTransform to = destination();
   to.center_m = world;
   to.scale_m_per_px = ladderScale(to.scale_m_per_px, 3);
-  takeByHand();
+  onMovedByHand();
   moveTo(to, true);
 }
 
@@ -566,7 +566,7 @@ bool MapView::nativeGesture(QNativeGestureEvent* event) {
       zoomFactorAt(event->position(), std::exp(event->value()));
       return true;
     case Qt::RotateNativeGesture: {
-      takeByHand(true);
+      onMovedByHand(true);
       stopMoving();
       const QPointF at = event->position();
       setView(scene_->view().rotatedAt({at.x(), at.y()}, -geometry::radiansFromDegrees(event->value())));

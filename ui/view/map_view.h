@@ -113,7 +113,7 @@ class MapView : public QGraphicsView {
   void updateCovered();
   void panBy(const QPointF& pixels);
   void zoomFactorAt(const QPointF& anchor, double factor);
-  void takeByHand(bool keeps_following = false);
+  void onMovedByHand(bool keeps_following = false);
   void updateCursor();
   MapPoint pointAt(const QPointF& px, Qt::KeyboardModifiers modifiers) const;
   void cancelToolDrag();

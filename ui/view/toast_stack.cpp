@@ -54,7 +54,7 @@ class MarkBox : public QWidget {
   Mark mark_;
 };
 
-void takeAway(QVBoxLayout& column, int at) {
+void remove(QVBoxLayout& column, int at) {
   QLayoutItem* const item = column.takeAt(at);
   item->widget()->hide();
   item->widget()->deleteLater();
@@ -82,9 +82,9 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
     const bool repeated = old->property("says").toString() == same;
     if (repeated) times += old->property("times").toInt();
     const bool overcome = !about.isEmpty() && old->property("about").toString() == about;
-    if (repeated || overcome) takeAway(*column_, i);
+    if (repeated || overcome) remove(*column_, i);
   }
-  while (column_->count() >= kAtMost) takeAway(*column_, 0);
+  while (column_->count() >= kAtMost) remove(*column_, 0);
   auto* toast = new QFrame(this);
   toast->setObjectName(QStringLiteral("toast"));
   toast->setProperty("says", same);
@@ -148,7 +148,7 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
 void ToastStack::withdraw(const QString& text) {
   for (int i = column_->count() - 1; i >= 0; --i) {
     const QString says = column_->itemAt(i)->widget()->property("says").toString();
-    if (says.section(QLatin1Char('\n'), 2) == text) takeAway(*column_, i);
+    if (says.section(QLatin1Char('\n'), 2) == text) remove(*column_, i);
   }
   setVisible(column_->count() > 0);
   adjustSize();

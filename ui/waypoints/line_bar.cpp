@@ -121,7 +121,7 @@ const exchange::TakenNames& LineBar::taken() const {
 }
 
 /// Why the names cannot be counted from what is typed; empty if they can.
-QString LineBar::whyNotFrom() const {
+QString LineBar::notFromReason() const {
   static const QRegularExpression number(QStringLiteral("^\\d{0,%1}$").arg(kMostFromDigits));
   return number.match(first_->text().trimmed()).hasMatch()
              ? QString()
@@ -135,14 +135,14 @@ exchange::SeriesNames LineBar::series() const {
 
 QStringList LineBar::names() const { return series().names; }
 
-void LineBar::noteCreated() { first_->clear(); }
+void LineBar::onCreated() { first_->clear(); }
 
 void LineBar::refreshNames() {
   first_->setPlaceholderText(exchange::nextNumber(prefix_->text(), taken()));
-  const QString why_not = whyNotFrom();
-  create_->setEnabled(tool_->ready() && !tool_->spots().empty() && why_not.isEmpty());
-  names_->setSecondary(why_not.isEmpty());
-  if (!why_not.isEmpty()) return names_->setText(why_not);
+  const QString unavailable_reason = notFromReason();
+  create_->setEnabled(tool_->ready() && !tool_->spots().empty() && unavailable_reason.isEmpty());
+  names_->setSecondary(unavailable_reason.isEmpty());
+  if (!unavailable_reason.isEmpty()) return names_->setText(unavailable_reason);
   const exchange::SeriesNames series = this->series();
   const auto shown = [](const QString& name) { return words::plainName(name); };
   QString text;

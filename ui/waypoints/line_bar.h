@@ -30,11 +30,11 @@ class LineBar : public QFrame {
   QPushButton* createButton() const { return create_; }
   QString countShown() const;
   QString namesShown() const;
-  QString whyNotFrom() const;
+  QString notFromReason() const;
   /// Of as many waypoints as there will be.
   QStringList names() const;
   /// They have been created: the next line goes on counting.
-  void noteCreated();
+  void onCreated();
 
  Q_SIGNALS:
   void createWanted();

@@ -94,7 +94,7 @@ bool NameEditor::isOnObject(const QPointF& viewport_px) const {
 }
 
 /// Until what the user just did has been handled, wherever that leads.
-void NameEditor::noteHand() {
+void NameEditor::rememberFocus() {
   if (!std::exchange(by_hand_, true))
     QCoreApplication::postEvent(this, new QEvent(kHandIsDone), Qt::HighEventPriority);
 }
@@ -110,12 +110,12 @@ bool NameEditor::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick:
     case QEvent::KeyPress:
     case QEvent::ShortcutOverride:
-      noteHand();
+      rememberFocus();
       break;
     case QEvent::MouseButtonRelease:  // of a menu or a button: what it does may take the focus
-      noteHand();
+      rememberFocus();
       if (watched == parentWidget() && std::exchange(back_after_it_, false))
-        QMetaObject::invokeMethod(this, &NameEditor::takeBack, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &NameEditor::restoreName, Qt::QueuedConnection);
       break;
     default:
       break;
@@ -131,7 +131,7 @@ bool NameEditor::eventFilter(QObject* watched, QEvent* event) {
   return QLineEdit::eventFilter(watched, event);
 }
 
-void NameEditor::takeBack() {
+void NameEditor::restoreName() {
   if (!then_ || !isVisible()) return;
   raise();
   setFocus();
@@ -152,14 +152,14 @@ void NameEditor::focusOutEvent(QFocusEvent* event) {
       return;
     case Qt::MouseFocusReason:
       pressed_away_ = true;
-      return noteHand();
+      return rememberFocus();
     case Qt::TabFocusReason:
     case Qt::BacktabFocusReason:
     case Qt::ShortcutFocusReason:
       return close(true);
     default:
       // Not the user: a panel, a strip, an answer of the robot.
-      by_hand_ ? close(true) : takeBack();
+      by_hand_ ? close(true) : restoreName();
   }
 }
 

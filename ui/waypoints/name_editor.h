@@ -38,8 +38,8 @@ class NameEditor : public QLineEdit {
     int from = -1, count = 0, cursor = 0;
   };
   void close(bool take);
-  void takeBack();
-  void noteHand();
+  void restoreName();
+  void rememberFocus();
   bool isOnObject(const QPointF& viewport_px) const;
 
   std::function<void(const QString&)> then_;

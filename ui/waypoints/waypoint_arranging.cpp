@@ -114,7 +114,8 @@ void WaypointArranging::arrange(const Arranging& how, const QString& what) {
 }
 
 void WaypointArranging::refresh() {
-  const QString why = editing_->document() ? editing_->whyNot() : tr("Open a map to place waypoints in it.");
+  const QString why =
+      editing_->document() ? editing_->unavailableReason() : tr("Open a map to place waypoints in it.");
   for (const Entry& entry : entries_) {
     allow(entry.action, editing_->editable() && editing_->selected().size() >= entry.least,
           !editing_->editable() ? why

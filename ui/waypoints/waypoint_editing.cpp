@@ -21,27 +21,27 @@ QString calledOf(const std::vector<edit::Change>& changes) {
 
 }  // namespace
 
-void WaypointEditing::setDocument(edit::WaypointDocument* document, const QString& why_not,
+void WaypointEditing::setDocument(edit::WaypointDocument* document, const QString& unavailable_reason,
                                   const robot::KeptFields& keeps) {
   if (document_) document_->disconnect(this);
   document_ = document;
-  why_not_ = why_not;
+  unavailable_reason_ = unavailable_reason;
   keeps_ = keeps;
   selected_.clear();
   since_.clear();
   preview_.clear();
   if (document_) {
-    connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::takeChange);
+    connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::onChange);
     connect(document_, &edit::WaypointDocument::removalLeftOut, this, [this] {
       Q_EMIT removalRefused(
-          tr("It is stored on the robot, so it was not undone. %1").arg(exchange::whyNotRemoved(keeps_)));
+          tr("It is stored on the robot, so it was not undone. %1").arg(exchange::notRemovedReason(keeps_)));
     });
   }
   Q_EMIT opened();
   Q_EMIT selectionChanged();
 }
 
-void WaypointEditing::takeChange(const edit::DocumentChange& change) {
+void WaypointEditing::onChange(const edit::DocumentChange& change) {
   // Removed ones are neither selected nor dragged.
   if (change.removed.empty() && !change.everything) return;
   std::set<edit::Key> left = selected_;
@@ -168,17 +168,17 @@ void WaypointEditing::set(const edit::Key& key, const map::Waypoint& to, const Q
   if (editable() && find(key)) document_->change({document_->to(key, to)}, what, gesture);
 }
 
-QString WaypointEditing::whyNotRemoved() const {
-  if (!editable()) return why_not_;
+QString WaypointEditing::notRemovedReason() const {
+  if (!editable()) return unavailable_reason_;
   // A new one is only taken back.
   const bool stored = std::any_of(selected_.begin(), selected_.end(),
                                   [this](const edit::Key& key) { return document_->findKept(key); });
-  return stored ? exchange::whyNotRemoved(keeps_) : QString();
+  return stored ? exchange::notRemovedReason(keeps_) : QString();
 }
 
 void WaypointEditing::removeSelected() {
   if (!editable() || selected_.empty()) return;
-  if (const QString why = whyNotRemoved(); !why.isEmpty()) return Q_EMIT removalRefused(why);
+  if (const QString why = notRemovedReason(); !why.isEmpty()) return Q_EMIT removalRefused(why);
   std::vector<edit::Change> changes;
   for (const edit::Key& key : selected_) changes.push_back(document_->to(key, std::nullopt));
   const QString called = calledOf(changes);

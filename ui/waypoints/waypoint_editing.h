@@ -27,15 +27,15 @@ class WaypointEditing : public QObject {
  public:
   using QObject::QObject;
 
-  /// The list to edit; null = none. `why_not`: why it is read-only; empty = it is editable. `keeps`: what the
-  /// store can keep.
-  void setDocument(edit::WaypointDocument* document, const QString& why_not,
+  /// The list to edit; null = none. `unavailable_reason`: why it is read-only; empty = it is editable.
+  /// `keeps`: what the store can keep.
+  void setDocument(edit::WaypointDocument* document, const QString& unavailable_reason,
                    const robot::KeptFields& keeps = {});
   /// The distance of a nudge.
   void setCell(double cell_m) { cell_m_ = cell_m; }
   edit::WaypointDocument* document() const { return document_; }
-  bool editable() const { return document_ && why_not_.isEmpty(); }
-  QString whyNot() const { return why_not_; }
+  bool editable() const { return document_ && unavailable_reason_.isEmpty(); }
+  QString unavailableReason() const { return unavailable_reason_; }
   const robot::KeptFields& keeps() const { return keeps_; }
   double cell() const { return cell_m_; }
   const map::Waypoint* find(const edit::Key& key) const { return document_ ? document_->find(key) : nullptr; }
@@ -73,7 +73,7 @@ class WaypointEditing : public QObject {
   /// The changes as one command; those that are there afterwards are selected.
   void make(std::vector<edit::Change> changes, const QString& what);
   /// Why the selected ones cannot be deleted; empty: they can be.
-  QString whyNotRemoved() const;
+  QString notRemovedReason() const;
   /// Says why not, where it cannot.
   void removeSelected();
   void moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture = 0);
@@ -99,11 +99,11 @@ class WaypointEditing : public QObject {
   void renameSeveralWanted();                                  // those that are selected
 
  private:
-  void takeChange(const edit::DocumentChange& change);
+  void onChange(const edit::DocumentChange& change);
   void selectAllBut(const std::set<edit::Key>& others);
 
   QPointer<edit::WaypointDocument> document_;
-  QString why_not_;
+  QString unavailable_reason_;
   robot::KeptFields keeps_;
   double cell_m_ = 0.05;
   std::set<edit::Key> selected_;

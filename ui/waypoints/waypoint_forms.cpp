@@ -157,14 +157,14 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
     refresh();
   });
   // Typed text is in the list, and so in the draft, at once; continuous typing is one step.
-  connect(name_, &QLineEdit::textEdited, this, &WaypointForm::takeName);
+  connect(name_, &QLineEdit::textEdited, this, &WaypointForm::applyName);
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     if (refreshing_ || !name_->isModified()) return;
     name_->setModified(false);
     last_field_ = 0;
     refresh();
   });
-  connect(tags_, &QLineEdit::editingFinished, this, &WaypointForm::takeTags);
+  connect(tags_, &QLineEdit::editingFinished, this, &WaypointForm::applyTags);
   // Only sets the edited field: the other one keeps its exact value, although it shows a rounded one.
   for (const auto& [box, axis] : {std::pair(x_, 0), std::pair(y_, 1)}) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis = axis](double metres) {
@@ -197,7 +197,7 @@ void WaypointForm::showWarnings() {
   doubtful_->setVisible(!text.isEmpty());
 }
 
-void WaypointForm::takeName(const QString& text) {
+void WaypointForm::applyName(const QString& text) {
   const map::Waypoint* const now = editing_->find(shown_);
   if (refreshing_ || !now) return;
   if (last_field_ != edit::waypoint_field::kName) {
@@ -211,7 +211,7 @@ void WaypointForm::takeName(const QString& text) {
   typing_ = false;
 }
 
-void WaypointForm::takeTags() {
+void WaypointForm::applyTags() {
   if (refreshing_ || !tags_->isModified()) return;
   tags_->setModified(false);
   apply(tr("tag %1"), edit::waypoint_field::kTags,
@@ -233,7 +233,7 @@ void WaypointForm::refresh() {
   const map::Waypoint* const point = editing_->only();
   const edit::Key key = point ? *editing_->selected().begin() : edit::Key();
   if (shown_ != key) {
-    takeTags();  // of the one before: what is being typed is not about the next one
+    applyTags();  // of the one before: what is being typed is not about the next one
     for (QLineEdit* field : {name_, tags_}) field->setModified(false);
     shown_ = key;
     last_field_ = 0;

@@ -35,8 +35,8 @@ class WaypointForm : public QWidget {
 
  private:
   void showWarnings();
-  void takeName(const QString& text);
-  void takeTags();
+  void applyName(const QString& text);
+  void applyTags();
   /// Continuous changes of one field are one command.
   void apply(const QString& what, edit::FieldMask field, const std::function<void(map::Waypoint&)>& change);
 

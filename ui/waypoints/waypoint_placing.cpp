@@ -205,15 +205,15 @@ void PlacingActions::addSelecting() {
                            editing_, &WaypointEditing::invertSelection);
 }
 
-std::optional<geometry::Pose2> PlacingActions::robotPose(QString* why_not) const {
+std::optional<geometry::Pose2> PlacingActions::robotPose(QString* unavailable_reason) const {
   const session::Session* const session = context_.current.session();
   const auto& pose = session ? session->live().robot_pose : std::nullopt;
   if (!pose) {
-    *why_not = tr("The position of the robot is unknown.");
+    *unavailable_reason = tr("The position of the robot is unknown.");
     return std::nullopt;
   }
   if (context_.scene.robotPlace().where == map::Whereabouts::Elsewhere) {
-    *why_not = tr("The robot is not in the map on screen.");
+    *unavailable_reason = tr("The robot is not in the map on screen.");
     return std::nullopt;
   }
   return pose;
@@ -221,7 +221,8 @@ std::optional<geometry::Pose2> PlacingActions::robotPose(QString* why_not) const
 
 void PlacingActions::refresh() {
   const bool editable = editing_->editable();
-  const QString why = editing_->document() ? editing_->whyNot() : tr("Open a map to place waypoints in it.");
+  const QString why =
+      editing_->document() ? editing_->unavailableReason() : tr("Open a map to place waypoints in it.");
   QString no_robot;
   robot_known_ = robotPose(&no_robot).has_value();
   allow(at_robot_, editable && robot_known_, editable ? no_robot : why);
@@ -235,13 +236,13 @@ void PlacingActions::refresh() {
 }
 
 void PlacingActions::refreshRobot() {
-  QString why_not;
-  if (robotPose(&why_not).has_value() != robot_known_) refresh();
+  QString unavailable_reason;
+  if (robotPose(&unavailable_reason).has_value() != robot_known_) refresh();
 }
 
 void PlacingActions::createAtRobot() {
-  QString why_not;
-  const auto pose = robotPose(&why_not);
+  QString unavailable_reason;
+  const auto pose = robotPose(&unavailable_reason);
   if (!pose) return refresh();
   map::Waypoint point;
   point.position_m = decimalPlace({pose->x_m, pose->y_m});
@@ -270,7 +271,7 @@ void PlacingActions::askForNumbers() {
 }
 
 void PlacingActions::createAlongLine() {
-  if (!line_->ready() || !editing_->editable() || !bar_->whyNotFrom().isEmpty()) return;
+  if (!line_->ready() || !editing_->editable() || !bar_->notFromReason().isEmpty()) return;
   std::vector<map::Waypoint> points;
   const QStringList names = bar_->names();
   for (const placing::Spot& spot : line_->spots()) {
@@ -282,7 +283,7 @@ void PlacingActions::createAlongLine() {
   }
   if (points.empty()) return;
   editing_->addAll(std::move(points), tr("add %1"));
-  bar_->noteCreated();
+  bar_->onCreated();
   line_->forget();
   Q_EMIT made();
   context_.view.setFocus();

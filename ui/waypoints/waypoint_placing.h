@@ -87,8 +87,8 @@ class PlacingActions : public QObject {
   void askForNumbers();
   void createAlongLine();
   void duplicate();
-  /// The robot's pose on the map on screen; nullopt, with the reason in `why_not`: unknown.
-  std::optional<geometry::Pose2> robotPose(QString* why_not) const;
+  /// The robot's pose on the map on screen; nullopt, with the reason in `unavailable_reason`: unknown.
+  std::optional<geometry::Pose2> robotPose(QString* unavailable_reason) const;
 
   WindowContext& context_;
   WaypointEditing* editing_;

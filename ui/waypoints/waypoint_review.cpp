@@ -46,8 +46,8 @@ void ReviewModel::showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedR
   list_ = list;
   plan_ = std::move(plan);
   follows_ = false;
-  takeRefused();
-  tellRows();
+  onRefused();
+  updateRows();
 }
 
 void ReviewModel::showSubmission(edit::OpenWaypoints* list) {
@@ -65,16 +65,16 @@ void ReviewModel::clear() {
   refused_.clear();
   refused_since_.clear();
   follows_ = false;
-  tellRows();
+  updateRows();
 }
 
 void ReviewModel::follow() {
   if (!follows_ || !list_) return;
-  if (!list_->saving()) takeRefused();
-  tellRows();
+  if (!list_->saving()) onRefused();
+  updateRows();
 }
 
-void ReviewModel::takeRefused() {
+void ReviewModel::onRefused() {
   refused_.clear();
   refused_since_.clear();
   const std::set<edit::Key> refused = list_->refused();
@@ -94,7 +94,7 @@ void ReviewModel::takeRefused() {
   }
 }
 
-const QString* ReviewModel::whyRefused(int row) const {
+const QString* ReviewModel::refusedReason(int row) const {
   if (row >= requests()) return &refused_[std::size_t(row - requests())].why;
   if (changes(row).size() != 1) return nullptr;
   const auto found = refused_since_.find(list_->document().ourName(changes(row).front().id));
@@ -102,7 +102,7 @@ const QString* ReviewModel::whyRefused(int row) const {
 }
 
 /// As many as there are now. They come and go at the end, so that what is current or selected stays so.
-void ReviewModel::tellRows() {
+void ReviewModel::updateRows() {
   const int rows = requests() + int(refused_.size());
   const int before = shown_rows_;
   if (rows > before) {
@@ -138,18 +138,18 @@ const std::vector<robot::WaypointChange>& ReviewModel::changes(int row) const {
 /// What is to be feared of it before it is sent.
 ReviewModel::Outcome ReviewModel::plannedOutcome(int row) const {
   for (const robot::WaypointChange& one : changes(row)) {
-    const QString why =
-        one.after ? exchange::whyNotKept(one.before, *one.after) : exchange::whyNotRemoved(list_->keeps());
+    const QString why = one.after ? exchange::notKeptReason(one.before, *one.after)
+                                  : exchange::notRemovedReason(list_->keeps());
     if (!one.after && !why.isEmpty()) return {Mark::Bad, tr("will be refused. %1").arg(why)};
     if (!why.isEmpty()) return {Mark::Warning, tr("may be refused. %1").arg(why)};
     if (!one.before && !list_->keeps().removal)
-      return {Mark::Warning, tr("cannot be deleted later"), exchange::whyNotRemoved(list_->keeps())};
+      return {Mark::Warning, tr("cannot be deleted later"), exchange::notRemovedReason(list_->keeps())};
   }
   return {};
 }
 
 ReviewModel::Outcome ReviewModel::outcome(int row) const {
-  if (row >= requests()) return {Mark::Bad, *whyRefused(row)};
+  if (row >= requests()) return {Mark::Bad, *refusedReason(row)};
   if (!follows_) return plannedOutcome(row);
   const auto& sent = list_->submission().rows()[std::size_t(row)];
   if (sent.state == State::Waiting) return {Mark::Neutral, tr("waiting")};
@@ -159,7 +159,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
     case exchange::SentState::Applied:
       return {Mark::Good, sent.state == State::Done ? tr("done") : tr("done, answer lost")};
     case exchange::SentState::NotSent:
-      if (const QString* const why = whyRefused(row)) return {Mark::Bad, *why};
+      if (const QString* const why = refusedReason(row)) return {Mark::Bad, *why};
       if (!outcome.failure) return {Mark::Neutral, tr("not sent")};
       break;
     case exchange::SentState::Unknown:
@@ -168,7 +168,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
   }
   // The state first: the column is narrow, and its tooltip has the whole sentence.
   const QString sentence = words::plainLine(exchange::sentenceOf(outcome));
-  const QString why = outcome.failure ? whyText(*outcome.failure) : sentence;
+  const QString why = outcome.failure ? reasonText(*outcome.failure) : sentence;
   if (outcome.state == exchange::SentState::Failed) return {Mark::Bad, tr("failed. %1").arg(why), sentence};
   const bool unknown = outcome.state == exchange::SentState::Unknown;
   return {Mark::Warning, (unknown ? tr("unknown. %1") : tr("not sent. %1")).arg(why), sentence};
@@ -313,7 +313,7 @@ void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
         return;
       QTimer::singleShot(0, this, [this] {
         waiting_ = false;
-        if (list_ && !list_->saving() && model_->showsPlan()) takePlan();
+        if (list_ && !list_->saving() && model_->showsPlan()) onPlan();
       });
     });
   }
@@ -321,7 +321,7 @@ void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
   if (!list_->saving()) {
     sent_ = overtaken_ = unreached_ = false;
     wanted_.clear();
-    takePlan();
+    onPlan();
   }
   show();
   raise();
@@ -345,7 +345,7 @@ void WaypointReview::setLinkTrouble(const QString& why) {
   if (std::exchange(link_trouble_, why) != why) refresh();
 }
 
-void WaypointReview::takePlan() {
+void WaypointReview::onPlan() {
   sent_ = false;  // none of this has been sent
   model_->showPlan(list_, list_->planned());
   refresh();
@@ -357,7 +357,7 @@ void WaypointReview::send() {
   // Sends exactly what is shown, nothing else.
   if (!model_->showsPlan() && !areCalls(*list_, planned, model_->rest())) {
     overtaken_ = true;
-    return takePlan();
+    return onPlan();
   }
   overtaken_ = unreached_ = false;
   const std::set<edit::Key> refused = list_->refused();
@@ -376,14 +376,14 @@ void WaypointReview::refresh() {
   if (sent_ && phase == SubmissionPhase::Undecided) {
     // Nothing was sent: others have changed something.
     overtaken_ = true;
-    return takePlan();
+    return onPlan();
   }
   const bool before_the_first = phase != SubmissionPhase::Looking && phase != SubmissionPhase::Done &&
                                 list_->submission().rows().empty();
   if (sent_ && !list_->saving() && before_the_first) {
     // The stored state could not be read: the shown plan is still valid.
     unreached_ = true;
-    return takePlan();
+    return onPlan();
   }
   if (sent_ && phase != SubmissionPhase::Looking) model_->showSubmission(list_);
   const bool saving = list_->saving();
@@ -425,7 +425,7 @@ QString WaypointReview::statusText() const {
         .arg(waypointsText(qsizetype(list_->document().conflicts().size())));
   if (!sent_) {
     if (const auto why = list_->stoppedBy(); unreached_ && why)
-      return whyText(*why) + QLatin1Char(' ') + tr("Nothing was sent.");
+      return reasonText(*why) + QLatin1Char(' ') + tr("Nothing was sent.");
     if (overtaken_)
       return tr(
           "Nothing was sent: the list has changed in the meantime. These are the requests that are needed "
@@ -453,7 +453,7 @@ QString WaypointReview::statusText() const {
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
   // Only the reason: the result of each is shown in its row.
   const auto why = list_->stoppedBy();
-  return why ? whyText(*why) + QLatin1Char(' ') + text : text;
+  return why ? reasonText(*why) + QLatin1Char(' ') + text : text;
 }
 
 QString WaypointReview::refusedText() const {

@@ -64,14 +64,14 @@ class ReviewModel : public QAbstractTableModel {
   Outcome outcome(int row) const;
   Outcome plannedOutcome(int row) const;
   void follow();
-  void takeRefused();
-  void tellRows();
+  void onRefused();
+  void updateRows();
 
   struct Refused {
     std::vector<robot::WaypointChange> changes;  // one
     QString why;
   };
-  const QString* whyRefused(int row) const;
+  const QString* refusedReason(int row) const;
   QPointer<edit::OpenWaypoints> list_;
   std::vector<edit::PlannedRequest> plan_;
   std::vector<Refused> refused_;
@@ -112,7 +112,7 @@ class WaypointReview : public QDialog {
 
  private:
   void send();
-  void takePlan();
+  void onPlan();
   void refresh();
   QString statusText() const;
   QString refusedText() const;  // what is not sent

@@ -129,7 +129,7 @@ QString conflictText(const edit::Conflict& conflict) {
 QString failureText(const map::Failure& failure) {
   const bool says_why = !failure.detail.empty() || failure.cause.any() || !failure.robot_code.empty();
   return says_why ? words::plainLine(QString::fromStdString(sentences::sentenceOf(failure)))
-                  : whyText(failure);
+                  : reasonText(failure);
 }
 
 exchange::SentOutcome outcomeOf(const edit::OpenWaypoints& list, const exchange::SentRequest& sent) {
@@ -143,7 +143,7 @@ exchange::SentCounts countsOf(const edit::OpenWaypoints& list) {
 QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by) {
   const exchange::SentCounts counts = countsOf(list);
   const std::size_t sent = counts.applied + counts.failed + counts.unknown, all = sent + counts.not_sent;
-  const QString why = whyText(stopped_by);
+  const QString why = reasonText(stopped_by);
   if (all < 2 || counts.applied + counts.unknown == 0) {
     return counts.unknown > 0 ? WaypointsText::tr("Whether it was saved is unknown. %1").arg(why)
                               : WaypointsText::tr("Not saved. %1").arg(why);
@@ -156,8 +156,8 @@ QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stoppe
   return text + QStringLiteral(". ") + why;
 }
 
-QString whyText(const map::Failure& failure) {
-  return words::plainLine(QString::fromStdString(sentences::whyOf(failure)));
+QString reasonText(const map::Failure& failure) {
+  return words::plainLine(QString::fromStdString(sentences::failureReason(failure)));
 }
 
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {

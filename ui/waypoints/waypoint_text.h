@@ -56,7 +56,7 @@ exchange::SentCounts countsOf(const edit::OpenWaypoints& list);
 /// "Not all is saved: of 3 requests 1 was carried out. The connection is gone."
 QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by);
 /// Why it went wrong, without its result.
-QString whyText(const map::Failure& failure);
+QString reasonText(const map::Failure& failure);
 /// "There is an unsaved draft of these waypoints from today 19:20:05: 3 changes."
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
 

@@ -363,7 +363,7 @@ QString WaypointTool::hint() const {
   if (!editing_->document()) return tr("There is no waypoint list here. Esc leaves.");
   if (drag() == Drag::Frame)
     return tr("%1 in the frame. Esc cancels.").arg(waypointsText(qsizetype(inFrame().size())));
-  if (!editing_->editable()) return editing_->whyNot();
+  if (!editing_->editable()) return editing_->unavailableReason();
   if (drag() == Drag::TurnGroup)
     return tr("Turned by %1. Shift turns by 15°, Esc cancels.").arg(yawText(turned_by_rad_));
   if (drag() == Drag::Turn && editing_->preview().contains(grabbed_))
@@ -376,7 +376,7 @@ QString WaypointTool::hint() const {
   }
   if (editing_->selected().empty())
     return tr("Click to add a waypoint, drag to move one, Shift and drag to select several. Esc leaves.");
-  const bool deletes = editing_->whyNotRemoved().isEmpty();
+  const bool deletes = editing_->notRemovedReason().isEmpty();
   if (editing_->selected().size() > 1)
     return (deletes ? tr("%1: drag or use the arrows to move, drag the handle to turn, F2 renames, Delete "
                          "deletes. Esc deselects.")

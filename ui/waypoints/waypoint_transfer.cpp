@@ -115,7 +115,7 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->setAccessibleName(tr("What changes"));
-  if (const QString stays = exchange::whyNotRemoved(keeps_); !stays.isEmpty()) {
+  if (const QString stays = exchange::notRemovedReason(keeps_); !stays.isEmpty()) {
     others_->setEnabled(false);
     others_->setToolTip(plainToolTip(stays));
   }

@@ -18,7 +18,7 @@ WaypointWarnings::WaypointWarnings(WaypointEditing* editing, std::shared_ptr<wor
               Qt::UniqueConnection);
     begin();
   });
-  connect(editing_, &WaypointEditing::previewChanged, this, &WaypointWarnings::takePreview);
+  connect(editing_, &WaypointEditing::previewChanged, this, &WaypointWarnings::onPreview);
 }
 
 WaypointWarnings::~WaypointWarnings() {
@@ -141,7 +141,7 @@ void WaypointWarnings::lookForNames(std::set<std::string>& touched) {
   }
 }
 
-void WaypointWarnings::takePreview() {
+void WaypointWarnings::onPreview() {
   const WaypointPreview& preview = editing_->preview();
   if (!areSame(previewed_, preview)) {
     // Released or restored ones are checked again.
@@ -193,7 +193,7 @@ void WaypointWarnings::look() {
                    QMetaObject::invokeMethod(
                        this,
                        [this, part, found, state] {
-                         if (state == state_) takeGround(*part, *found);
+                         if (state == state_) onGround(*part, *found);
                          if (--groups_left_ == 0) endLook();
                        },
                        Qt::QueuedConnection);
@@ -201,7 +201,7 @@ void WaypointWarnings::look() {
   }
 }
 
-void WaypointWarnings::takeGround(const Batch& batch, const placing::GroundWarnings& found) {
+void WaypointWarnings::onGround(const Batch& batch, const placing::GroundWarnings& found) {
   if (std::exchange(ground_, found.state) != found.state) other_ground_ = true;
   for (std::size_t i = 0; i < batch.keys.size(); ++i) {
     const edit::Key& key = batch.keys[i];

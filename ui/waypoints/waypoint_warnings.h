@@ -52,14 +52,14 @@ class WaypointWarnings : public QObject {
  private:
   void begin();
   void take(const edit::DocumentChange& change);
-  void takePreview();
+  void onPreview();
   void lookSoon();
   void look();
   struct Batch {
     std::vector<edit::Key> keys;
     std::vector<Eigen::Vector2d> places_m;  // of keys
   };
-  void takeGround(const Batch& batch, const placing::GroundWarnings& found);
+  void onGround(const Batch& batch, const placing::GroundWarnings& found);
   void endLook();
   void everythingAnew();
   /// Looks for names that several have; adds to `touched` the waypoints for which that has changed.

@@ -85,7 +85,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(dock_, &WaypointsDock::decided, this,
           [this](const edit::Key& key, ConflictChoice choice) { decideConflict(editing_, key, choice); });
   NoticeBar* const notice = context_.overlay.editNotice();
-  connect(notice, &NoticeBar::offerTaken, this, &WaypointsController::takeOffer);
+  connect(notice, &NoticeBar::offerTaken, this, &WaypointsController::acceptOffer);
   connect(notice, &NoticeBar::secondTaken, this, [this] {
     if (list_ && !list_->offered().empty()) return list_->turnDown();
     if (const auto left = nameLeft()) accepted_names_.insert(left->key);
@@ -149,7 +149,7 @@ void WaypointsController::addToMenu(QMenu& menu, const Eigen::Vector2d& world_m)
   if (!editing_.selected().contains(hit->key)) editing_.select({hit->key});
   const bool several = editing_.selected().size() > 1;
   menu.addAction(tr("Re&name %1…").arg(name), this, [this, key = hit->key] { askName(key, 0); });
-  const QString stays = editing_.whyNotRemoved();
+  const QString stays = editing_.notRemovedReason();
   menu.setToolTipsVisible(true);
   allow(menu.addAction(
             themedIcon(QStringLiteral("trash")),
@@ -162,8 +162,8 @@ void WaypointsController::addToMenu(QMenu& menu, const Eigen::Vector2d& world_m)
 void WaypointsController::setSession(session::Session* session) {
   EditorController::setSession(session);
   if (session_) {
-    connect(session_, &session::Session::connectionChanged, this, &WaypointsController::noteLink);
-    noteLink();
+    connect(session_, &session::Session::connectionChanged, this, &WaypointsController::onLink);
+    onLink();
   }
   placing_->setSession(session);
   if (comesFirst()) context_.panels.suggest(dock_);
@@ -176,7 +176,7 @@ bool WaypointsController::comesFirst() const {
   return session_ && session_->robot().isLocal() && session_->robot().waypointStore();
 }
 
-void WaypointsController::noteLink() {
+void WaypointsController::onLink() {
   const robot::ConnectionState state = session_->connection();
   if (state.phase == robot::ConnectionPhase::Online) return review_->setLinkTrouble({});
   QStringList why{tr("There is no connection to the robot, so nothing can be sent at present.")};
@@ -219,7 +219,7 @@ void WaypointsController::syncMap() {
 void WaypointsController::openList(const map::MapKey& key) {
   list_ = std::make_unique<edit::OpenWaypoints>(*session_->robot().waypointStore(), key,
                                                 session_->robot().address(), context_.edit);
-  connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::noteSaving);
+  connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::onSavingChanged);
   connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
   connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const Fault& remark) {
     context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
@@ -228,7 +228,7 @@ void WaypointsController::openList(const map::MapKey& key) {
     if (list_->submission().done() > 0) reportSaving(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
     onAllSaved();
   });
-  connect(&list_->document(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
+  connect(&list_->document(), &edit::WaypointDocument::changed, this, &WaypointsController::onChange);
   joinUndo(context_.undo, list_->document().undoStack());
   context_.undo.setActiveStack(&list_->document().undoStack());
 }
@@ -244,11 +244,11 @@ void WaypointsController::openReadOnly() {
   }
   if (!shown_only_) {
     shown_only_ = std::make_unique<edit::WaypointDocument>();
-    connect(shown_only_.get(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
+    connect(shown_only_.get(), &edit::WaypointDocument::changed, this, &WaypointsController::onChange);
   }
   constexpr auto kEditing = robot::Capability::WaypointEditing;
-  const QString why = sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
-  if (why != editing_.whyNot()) editing_.setDocument(shown_only_.get(), why);
+  const QString why = sentences::absenceReason(kEditing, session_->robot().unavailableReason(kEditing));
+  if (why != editing_.unavailableReason()) editing_.setDocument(shown_only_.get(), why);
   if (shown_only_->items() == items) return;
   shown_only_->reset(std::move(items));
 }
@@ -283,7 +283,7 @@ void WaypointsController::closeMap() {
   }
 }
 
-void WaypointsController::noteSaving() {
+void WaypointsController::onSavingChanged() {
   // The list can be edited once it has been read.
   const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready;
   if (ready && editing_.document() != &list_->document())
@@ -306,7 +306,7 @@ void WaypointsController::noteSaving() {
   refresh();
 }
 
-void WaypointsController::takeChange() {
+void WaypointsController::onChange() {
   onEdited();
   followNamed();
   refresh();
@@ -317,8 +317,8 @@ void WaypointsController::refresh() {
   if (!session_) {
     sentence = tr("Open a map file (Ctrl+Shift+O) to see and edit its waypoints.");
   } else if (!session_->robot().waypointStore() && !session_->robot().waypointSource()) {
-    sentence = sentences::whyAbsent(robot::Capability::Waypoints,
-                                    session_->robot().whyNot(robot::Capability::Waypoints));
+    sentence = sentences::absenceReason(robot::Capability::Waypoints,
+                                        session_->robot().unavailableReason(robot::Capability::Waypoints));
   } else if (!open_map_) {
     sentence = tr("Waypoints belong to a whole map. Open one in the Maps panel.");
   } else if (list_ && list_->phase() == edit::OpenWaypoints::Phase::Reading) {
@@ -371,10 +371,10 @@ std::optional<LeftName> WaypointsController::nameLeft() const {
   return ready ? leftName(list_->document(), accepted_names_) : std::nullopt;
 }
 
-void WaypointsController::takeOffer() {
+void WaypointsController::acceptOffer() {
   if (list_ && !list_->draftTrouble().any()) {
     if (!list_->offered().empty()) {
-      list_->takeUp(tr("restore the draft"));
+      list_->restoreDraft(tr("restore the draft"));
       context_.panels.open(dock_);
       return dock_->table()->setFocus();
     }

@@ -63,10 +63,10 @@ class WaypointsController : public EditorController {
   bool comesFirst() const;  // waypoints are the main subject of what is open
   /// Adds one there, and asks for its name.
   void addAt(const Eigen::Vector2d& world_m);
-  void takeChange();
+  void onChange();
   void refresh();
   void refreshNotice();
-  void takeOffer();
+  void acceptOffer();
   std::optional<LeftName> nameLeft() const;
   void askToDecide();
   QString decideText() const;  // empty: there is nothing to decide
@@ -74,8 +74,8 @@ class WaypointsController : public EditorController {
   void askName(const edit::Key& key, edit::Gesture gesture);
   void addToMenu(QMenu& menu, const Eigen::Vector2d& world_m);
   void followNamed();  // it has moved, on the screen or on the map
-  void noteSaving();
-  void noteLink();
+  void onSavingChanged();
+  void onLink();
   QString mapName() const;
 
   WaypointEditing editing_;

@@ -107,7 +107,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   connect(sorted_, &QAbstractItemModel::modelReset, this, &WaypointsDock::showSelection);
   connect(next_warning_, &QToolButton::clicked, this, &WaypointsDock::nextWarningWanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &WaypointsDock::takeSelection);
+          &WaypointsDock::onSelection);
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     Q_EMIT locateWanted(model_->key(sorted_->mapToSource(index)));
   });
@@ -258,7 +258,7 @@ void WaypointsDock::showSelection() {
   showing_selection_ = false;
 }
 
-void WaypointsDock::takeSelection() {
+void WaypointsDock::onSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
   std::set<edit::Key> keys;
@@ -281,7 +281,7 @@ void WaypointsDock::refresh() {
   filter_->setEnabled(any_rows || filter_->hasFocus());
   pending_->setEnabled(any_rows);
   add_->setEnabled(editable);
-  const QString stays = editing_->whyNotRemoved();
+  const QString stays = editing_->notRemovedReason();
   remove_->setEnabled(editable && !editing_->selected().empty() && stays.isEmpty());
   remove_->setToolTip(editable && !stays.isEmpty() ? plainToolTip(stays)
                                                    : tr("Delete the selected waypoints (Delete)"));
@@ -309,14 +309,15 @@ void WaypointsDock::refresh() {
 QString WaypointsDock::statusText() const {
   const edit::WaypointDocument* const document = editing_->document();
   if (!document) return {};
-  if (!editing_->editable()) return editing_->whyNot();
+  if (!editing_->editable()) return editing_->unavailableReason();
   if (!list_) return {};
   if (list_->saving()) return tr("Saving…");
   QStringList parts;
   const auto stopped_by = list_->unsaved() ? list_->stoppedBy() : std::nullopt;
   const QString not_saved = stopped_by ? notSavedText(*list_, *stopped_by) : QString();
   // If both have the same reason it is shown once.
-  const bool told = stopped_by && list_->failure() && whyText(*list_->failure()) == whyText(*stopped_by);
+  const bool told =
+      stopped_by && list_->failure() && reasonText(*list_->failure()) == reasonText(*stopped_by);
   if (list_->failure() && !told) parts << failureText(*list_->failure());
   if (stopped_by) parts << not_saved;
   if (list_->draftTrouble().any()) parts << tr("No draft is kept.");
@@ -331,7 +332,7 @@ QString WaypointsDock::statusText() const {
   for (std::size_t i = 0; i < std::min<std::size_t>(list_->notes().size(), 3); ++i)
     parts << sentences::sentenceOf(list_->notes()[i]);
   const auto changes = document->changes();
-  if (const QString stays = exchange::whyNotRemoved(editing_->keeps());
+  if (const QString stays = exchange::notRemovedReason(editing_->keeps());
       !stays.isEmpty() &&
       std::any_of(changes.begin(), changes.end(), [](const edit::Change& one) { return !one.after; }))
     parts << stays + QLatin1Char(' ') + tr("Restore what is deleted here before saving.");
@@ -384,7 +385,7 @@ void WaypointsDock::showMenu(const QPoint& at) {
   menu.addAction(tr("Re&name…"), this, &WaypointsDock::rename)->setEnabled(editable && any);
   menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })
       ->setEnabled(editable && !deleted.empty());
-  const QString stays = editing_->whyNotRemoved();
+  const QString stays = editing_->notRemovedReason();
   menu.setToolTipsVisible(true);
   allow(menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
                        &WaypointEditing::removeSelected),

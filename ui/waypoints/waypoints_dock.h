@@ -85,7 +85,7 @@ class WaypointsDock : public QDockWidget {
   void showMenu(const QPoint& at);
   void refresh();
   void showSelection();
-  void takeSelection();
+  void onSelection();
   void showWarnings();
   QString statusText() const;
   QString emptyText() const;

@@ -24,8 +24,8 @@ WaypointsOnMap::WaypointsOnMap(WaypointEditing* editing, scene::MapScene* scene,
       connect(document, &edit::WaypointDocument::changed, this, &WaypointsOnMap::take, Qt::UniqueConnection);
     begin();
   });
-  connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointsOnMap::takeSelection);
-  connect(editing_, &WaypointEditing::previewChanged, this, &WaypointsOnMap::takePreview);
+  connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointsOnMap::onSelection);
+  connect(editing_, &WaypointEditing::previewChanged, this, &WaypointsOnMap::onPreview);
 }
 
 void WaypointsOnMap::setMap(const std::optional<map::MapKey>& map) {
@@ -72,7 +72,7 @@ void WaypointsOnMap::take(const edit::DocumentChange& change) {
   draw();
 }
 
-void WaypointsOnMap::takeSelection() {
+void WaypointsOnMap::onSelection() {
   const std::set<edit::Key>& now = editing_->selected();
   std::vector<edit::Key> other;
   std::set_symmetric_difference(selected_.begin(), selected_.end(), now.begin(), now.end(),
@@ -85,7 +85,7 @@ void WaypointsOnMap::takeSelection() {
   if (!other.empty()) draw();
 }
 
-void WaypointsOnMap::takePreview() {
+void WaypointsOnMap::onPreview() {
   const WaypointPreview& preview = editing_->preview();
   // Consecutive steps move the same ones: only their positions change.
   if (areSame(previewed_, preview)) {

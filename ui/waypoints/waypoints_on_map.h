@@ -30,8 +30,8 @@ class WaypointsOnMap : public QObject {
  private:
   void begin();
   void take(const edit::DocumentChange& change);
-  void takeSelection();
-  void takePreview();
+  void onSelection();
+  void onPreview();
   /// nullopt = it is not drawn.
   std::optional<scene::DrawnWaypoint> drawnOf(const edit::Key& key) const;
   void place(const edit::Key& key);  // in the index

@@ -133,9 +133,9 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   restoreSettings();
   note_soon_.setSingleShot(true);
   note_soon_.setInterval(kNoteAfterMs);
-  connect(&note_soon_, &QTimer::timeout, this, &MainWindow::noteSettings);
+  connect(&note_soon_, &QTimer::timeout, this, &MainWindow::storeSettings);
   qApp->installEventFilter(this);
-  tellControllers(nullptr);
+  notifyControllers(nullptr);
   Q_EMIT current_->stateChanged();
   view_->setFocus();
   if (!dependencies.initial_address.isEmpty()) connection_->startWith(dependencies.initial_address);
@@ -198,7 +198,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   controllers_.push_back(new StatusController(context, this));
   controllers_.push_back(new HelpController(context, this));
   for (Controller* controller : controllers_) context.unsaved.watch(controller);
-  connect(current_, &CurrentSession::changed, this, &MainWindow::tellControllers);
+  connect(current_, &CurrentSession::changed, this, &MainWindow::notifyControllers);
 }
 
 void MainWindow::connectControllers() {
@@ -209,9 +209,9 @@ void MainWindow::connectControllers() {
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
   connect(replay_, &ReplayController::backWanted, connection_, &ConnectionController::goBackTo);
   connect(layout_, &LayoutController::leaving, replay_, &ReplayController::leaveLayout);
-  connect(layout_, &LayoutController::shown, replay_, &ReplayController::takeLayout);
+  connect(layout_, &LayoutController::shown, replay_, &ReplayController::onLayout);
   connect(current_, &CurrentSession::stateChanged, &actions_, [this] {
-    if (session::Session* const session = current_->session()) actions_.noteCapabilities(&session->robot());
+    if (session::Session* const session = current_->session()) actions_.updateCapabilities(&session->robot());
   });
   connect(plots_, &PlotsController::rawWanted, messages_->dock(), &MessagesDock::setWantedElsewhere);
   connect(messages_->dock(), &MessagesDock::plotWanted, plots_, &PlotsController::plot);
@@ -231,7 +231,7 @@ void MainWindow::connectControllers() {
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
   connect(administration_, &AdministrationController::sessionExpected, connection_,
           &ConnectionController::expectSession);
-  connect(export_, &ExportController::wholeExported, regions_, &RegionsController::noteExported);
+  connect(export_, &ExportController::wholeExported, regions_, &RegionsController::onExported);
   connect(maps_, &MapsController::regionsWanted, regions_, &RegionsController::showRegions);
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
   connect(problems_, &ProblemsController::retryWanted, connection_, &ConnectionController::retry);
@@ -263,7 +263,7 @@ void MainWindow::createToolBar() {
   connect(layout_, &LayoutController::shown, tools, &ToolBar::showRole);
 }
 
-void MainWindow::tellControllers(session::Session* session) {
+void MainWindow::notifyControllers(session::Session* session) {
   actions_.setSession(session ? &session->robot() : nullptr);
   for (Controller* controller : controllers_) controller->setSession(session);
 }
@@ -282,7 +282,7 @@ void MainWindow::saveSettings() {
   for (Controller* controller : controllers_) controller->remember(settings_);
 }
 
-void MainWindow::noteSettings() {
+void MainWindow::storeSettings() {
   settings_.setValue(kGeometryKey, saveGeometry());
   for (Controller* controller : controllers_) {
     if (controller == layout_) {

@@ -123,11 +123,11 @@ class MainWindow : public QMainWindow {
   void connectControllers();
   void addOwnActions();
   void createToolBar();
-  void tellControllers(session::Session* session);
+  void notifyControllers(session::Session* session);
   void restoreSettings();
   void saveSettings();
   /// Some time after the user has done something, so that little is lost with the program.
-  void noteSettings();
+  void storeSettings();
   void escape();
   void showMapMenu(const QPoint& global_pos, const QPointF& viewport_px);
 

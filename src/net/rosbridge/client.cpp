@@ -267,14 +267,14 @@ class Client::Impl {
   void join(const Field& fragment, double received_s, bool large) {
     const auto joined = connection(large).joiner.take(fragment, options_.now());
     if (!joined) tell(Oddity::BadFragment, plainText(QString::fromStdString(fragment["id"].text())));
-    tellOfLosses(large);
+    reportLosses(large);
     if (!joined || !*joined) return;
     const QByteArray text = **joined;
     take(Frame::read(text, Frame::Wire::Text, std::size_t(options_.max_message_bytes)), text.size(),
          received_s, large);
   }
 
-  void tellOfLosses(bool large) {
+  void reportLosses(bool large) {
     Connection& by = connection(large);
     while (by.losses_told < by.joiner.dropped()) {
       ++by.losses_told;
@@ -469,7 +469,8 @@ class Client::Impl {
 
   /// Takes out the call that an answer on that connection belongs to. An answer without an id belongs to the
   /// only call of that service.
-  std::optional<Call> takeAnswered(const std::optional<QString>& id, const std::string& service, bool large) {
+  std::optional<Call> finishAnswered(const std::optional<QString>& id, const std::string& service,
+                                     bool large) {
     auto found = sent_.end();
     for (auto call = sent_.begin(); call != sent_.end(); ++call) {
       const bool fits = id ? call->id() == *id : call->request.service == service;
@@ -484,7 +485,7 @@ class Client::Impl {
   }
 
   /// The late answer to a call that had been given up.
-  bool takeLate(const std::optional<QString>& id, bool large) {
+  bool onLateAnswer(const std::optional<QString>& id, bool large) {
     return std::erase_if(given_up_,
                          [&](const GivenUp& call) { return call.large == large && call.id == id; }) > 0;
   }
@@ -494,17 +495,17 @@ class Client::Impl {
     if (frame->fault() != Frame::Fault::None) {
       tell(Oddity::UnreadableFrame, {});
     } else if (operation == "publish") {
-      takeMessage(frame, bytes, received_s, large);
+      onMessage(frame, bytes, received_s, large);
     } else if (operation == "service_response") {
-      takeAnswer(frame, large);
+      onAnswer(frame, large);
     } else if (operation == "status") {
-      takeStatus(frame->root(), large);
+      onStatus(frame->root(), large);
     } else {
       tell(Oddity::UnknownOperation, plainText(QString::fromStdString(operation)));
     }
   }
 
-  void takeMessage(const std::shared_ptr<const Frame>& frame, qint64 bytes, double received_s, bool large) {
+  void onMessage(const std::shared_ptr<const Frame>& frame, qint64 bytes, double received_s, bool large) {
     const std::string name = frame->root()["topic"].text();
     TopicMessage message;
     message.msg = frame->root()["msg"];
@@ -528,18 +529,18 @@ class Client::Impl {
     Q_EMIT owner_->received(message);
   }
 
-  void takeAnswer(const std::shared_ptr<const Frame>& frame, bool large) {
+  void onAnswer(const std::shared_ptr<const Frame>& frame, bool large) {
     const std::optional<QString> id = idIn(frame->root()["id"]);
-    if (const auto call = takeAnswered(id, frame->root()["service"].text(), large)) {
+    if (const auto call = finishAnswered(id, frame->root()["service"].text(), large)) {
       breakOff(call->number);
       deliver(*call, readAnswer(frame));
-    } else if (!takeLate(id, large)) {
+    } else if (!onLateAnswer(id, large)) {
       tell(Oddity::UnknownCall, plainText(id.value_or(QString())));
     }
     advance();
   }
 
-  void takeStatus(const Field& status, bool large) {
+  void onStatus(const Field& status, bool large) {
     const QString level = plainText(QString::fromStdString(status["level"].text()));
     const QString words = plainText(QString::fromStdString(status["msg"].text()));
     const std::optional<QString> id = idIn(status["id"]);
@@ -549,7 +550,7 @@ class Client::Impl {
         if (topic.id == *id && isLarge(topic) == large) topic.refusal = words.left(300);
       }
       // Instead of an answer: the request was not understood.
-      if (const auto call = takeAnswered(id, {}, large)) {
+      if (const auto call = finishAnswered(id, {}, large)) {
         CallAnswer answer;
         answer.kind = Kind::Refused;
         answer.words = words.toStdString();
@@ -557,7 +558,7 @@ class Client::Impl {
         deliver(*call, std::move(answer));
         advance();
       } else {
-        takeLate(id, large);
+        onLateAnswer(id, large);
       }
     }
     Q_EMIT owner_->statusReceived(level, words, plainText(id.value_or(QString())));
@@ -566,7 +567,7 @@ class Client::Impl {
   void look() {
     for (const bool large : {false, true}) {
       connection(large).joiner.expire(options_.now());
-      tellOfLosses(large);
+      reportLosses(large);
     }
     const auto now = options_.now();
     std::erase_if(given_up_, [&](const GivenUp& call) { return call.until <= now; });

@@ -30,7 +30,7 @@ ParsedAddress parse(const QString& rest) {
   address.options = QUrlQuery(*url);
   const auto options = address.options.queryItems(QUrl::FullyDecoded);
   for (const auto& [name, value] : options) {
-    if (const auto why = whyNoPort(value)) return error(*why);
+    if (const auto why = noPortReason(value)) return error(*why);
     if (name != QLatin1String("tf") || !usable(QUrl(value, QUrl::StrictMode)) || options.size() > 1) {
       return error(AimdkAddressText::tr(
           "The address of an Agibot robot may only have ?tf=ws://HOST:9090 (its rosbridge) after "

@@ -94,7 +94,7 @@ AimdkLink::AimdkLink(LinkOptions options)
       point_changes_(*this, options_.changes) {
   http_.setTrust(options_.trust);
   for (QTimer* timer : {&timer_, &healthy_, &quiet_}) timer->setSingleShot(true);
-  connect(&quiet_, &QTimer::timeout, this, &AimdkLink::noteSilence);
+  connect(&quiet_, &QTimer::timeout, this, &AimdkLink::onSilence);
   connect(&healthy_, &QTimer::timeout, this, [this] { backoff_.reset(); });
   connect(&timer_, &QTimer::timeout, this, [this] {
     if (phase_ == ConnectionPhase::Online) {
@@ -165,7 +165,7 @@ void AimdkLink::hear() {
   silent_since_.reset();
 }
 
-void AimdkLink::noteSilence() {
+void AimdkLink::onSilence() {
   if (phase_ != ConnectionPhase::Online || asking_ == 0 || !heard_at_.isValid()) return;
   silent_since_ = heard_at_;
   enter(phase_);
@@ -203,12 +203,12 @@ void AimdkLink::probe() {
                         [this](const net::HttpAnswer& answer) {
                           if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
                           probing_ = 0;
-                          takeProbe(answer);
+                          onProbe(answer);
                           if (phase_ != ConnectionPhase::Online) goOnline();
                         });
 }
 
-void AimdkLink::takeProbe(const net::HttpAnswer& answer) {
+void AimdkLink::onProbe(const net::HttpAnswer& answer) {
   const bool online = phase_ == ConnectionPhase::Online;
   if (isLost(answer)) return online ? probed_.start() : leaveUntold();
   const std::string_view body = wire::view(answer.body);
@@ -217,12 +217,12 @@ void AimdkLink::takeProbe(const net::HttpAnswer& answer) {
   if (!online || newer.there != true) newer = {knowsService(answer.status, body)};
   if (const auto mapping = parseRealtimeMap(body); newer.there == true && answer.ok() && mapping)
     newer.mapping = *mapping;
-  noteNewer(newer);
+  onNewerFirmware(newer);
 }
 
-void AimdkLink::leaveUntold() { noteNewer({newer_.there == true ? newer_.there : std::nullopt}); }
+void AimdkLink::leaveUntold() { onNewerFirmware({newer_.there == true ? newer_.there : std::nullopt}); }
 
-void AimdkLink::noteNewer(const NewerServices& newer) {
+void AimdkLink::onNewerFirmware(const NewerServices& newer) {
   probed_.start();
   if (newer_ == newer) return;
   newer_ = newer;
@@ -257,7 +257,7 @@ void AimdkLink::poll() {
     const bool was_silent = silent_since_.has_value();
     hear();
     if (was_silent) enter(phase_);
-    if (answer.ok()) noteCurrent(parseCurrentMap(wire::view(answer.body)).value_or(std::string()));
+    if (answer.ok()) updateCurrent(parseCurrentMap(wire::view(answer.body)).value_or(std::string()));
     const bool told = newer_.there && (newer_.mapping || !*newer_.there);
     const auto again = told ? options_.mapping_every : options_.probe_again;
     if (newer_.there != false && probing_ == 0 && probed_.hasExpired(again.count())) probe();
@@ -273,12 +273,12 @@ void AimdkLink::lookAtMapping(const wire::TaskPtr& task, OutcomeTo<bool> reply) 
   post(task, kRealtimeMap, realtimeMapRequest(),
        [this, reply = std::move(reply)](const net::HttpAnswer& answer) {
          auto mapping = outcomeOf(answer, wire::kMapList, parseRealtimeMap(wire::view(answer.body)));
-         if (mapping) noteNewer({newer_.there, *mapping});
+         if (mapping) onNewerFirmware({newer_.there, *mapping});
          reply(std::move(mapping));
        });
 }
 
-void AimdkLink::noteCurrent(const std::string& id) {
+void AimdkLink::updateCurrent(const std::string& id) {
   const bool changed = current_ && *current_ != id;
   if (current_ != id) qCDebug(lcAimdk, "map in use: %s", id.empty() ? "none" : id.c_str());
   current_ = id;
@@ -363,7 +363,7 @@ void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEnt
                               Q_EMIT recovered({catalogueSubject(map::kCurrentMapPart)});
                               for (map::CatalogueEntry& entry : entries)
                                 entry.is_current = !id->empty() && entry.key.id == *id;
-                              noteCurrent(*id);
+                              updateCurrent(*id);
                             }
                             reply(std::move(entries));
                           });

@@ -102,17 +102,17 @@ class AimdkLink : public wire::RobotLink {
   /// the newer services. None of the others can be tried without changing something, so their first use
   /// tells. Its answer has a picture while it is mapping: it may be slow, and nothing else waits for it.
   void probe();
-  void takeProbe(const net::HttpAnswer& answer);
+  void onProbe(const net::HttpAnswer& answer);
   /// There is no answer to it in this connection so far.
   void leaveUntold();
-  void noteNewer(const NewerServices& newer);
+  void onNewerFirmware(const NewerServices& newer);
   void poll();
   void goOnline();
   void hear();
-  void noteSilence();
+  void onSilence();
   void interrupt(const net::HttpAnswer& answer);
   void interrupt(const Fault& reason, map::FailureKind failure);
-  void noteCurrent(const std::string& id);
+  void updateCurrent(const std::string& id);
   void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
   void fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 

@@ -150,7 +150,7 @@ void AimdkRobot::listenBeside() {
   connect(beside, &Robot::problemFound, this, &Robot::problemFound);
   connect(beside, &Robot::recovered, this, &Robot::recovered);
   connect(beside, &Robot::capabilitiesChanged, this, &Robot::capabilitiesChanged);
-  connect(beside, &Robot::connectionChanged, this, &AimdkRobot::noteBeside);
+  connect(beside, &Robot::connectionChanged, this, &AimdkRobot::updateCompanion);
 }
 
 AimdkRobot::~AimdkRobot() {
@@ -209,7 +209,7 @@ void AimdkRobot::setDeliveryTap(DeliveryTap tap) {
   if (beside) beside->setDeliveryTap(std::move(tap));
 }
 
-void AimdkRobot::noteBeside() {
+void AimdkRobot::updateCompanion() {
   const QPointer<AimdkRobot> alive(this);
   const ConnectionState state = beside_.robot->connection();
   const QDateTime since = robot::silentSince(*beside_.robot).value_or(QDateTime());
@@ -238,7 +238,7 @@ bool AimdkRobot::isUnconfirmed(Capability capability) const {
   return capability == Capability::Administration || capability == Capability::WaypointEditing;
 }
 
-Absence AimdkRobot::whyNot(Capability capability) const {
+Absence AimdkRobot::unavailableReason(Capability capability) const {
   if (capability == Capability::Administration || capability == Capability::WaypointEditing)
     return has_newer_ ? Absence{Absence::Reason::ReadOnly, {"Agibot"}}
                       : Absence{Absence::Reason::NotToldYet, {}};

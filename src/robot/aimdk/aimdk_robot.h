@@ -85,7 +85,7 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   MapAdministration* mapAdministration() override { return has_newer_ == true ? &administration_ : nullptr; }
   LiveTopics* liveTopics() override { return live_.get(); }
   bool isUnconfirmed(Capability capability) const override;
-  Absence whyNot(Capability capability) const override;
+  Absence unavailableReason(Capability capability) const override;
   /// For the interface and for the rosbridge beside it.
   void setDeliveryTap(DeliveryTap tap) override;
 
@@ -93,7 +93,7 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   AimdkRobot(QString address, wire::StartedLink<AimdkLink> started, RobotBeside beside, QObject* parent);
   void listenBeside();
   void connectBeside();
-  void noteBeside();
+  void updateCompanion();
   void recoverBeside();
 
   RobotBeside beside_;

@@ -268,7 +268,7 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
         faultText("aimdk", "Its picture is not a PNG, and the robot does not say how high it is."));
   }
   place(parsed, {parsed.resolution});
-  if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
+  if (const auto why = map::unusableReason(whole.grid)) return refused(*why);
   if (const auto degrees = wire::number(*data, {"rotate_angle"}); degrees && *degrees != 0) {
     whole.display_rotation_rad = geometry::radiansFromDegrees(*degrees);
   }

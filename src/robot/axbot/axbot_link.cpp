@@ -124,8 +124,8 @@ AxbotLink::AxbotLink(LinkOptions options)
     askForWanted();
     device_info_answered_ ? subscribe() : askDeviceInfo();
   });
-  connect(&socket_, &net::WebSocketLink::textReceived, this, &AxbotLink::takeText);
-  connect(&socket_, &net::WebSocketLink::binaryReceived, this, &AxbotLink::takeBinary);
+  connect(&socket_, &net::WebSocketLink::textReceived, this, &AxbotLink::onText);
+  connect(&socket_, &net::WebSocketLink::binaryReceived, this, &AxbotLink::onBinary);
 }
 
 RobotServer AxbotLink::server() {
@@ -167,10 +167,10 @@ void AxbotLink::askDeviceInfo() {
   request.url = urlOnRobot(options_.base, QStringLiteral("/device/info"));
   request.timeout = std::chrono::milliseconds(5'000);
   request.max_bytes = qint64(4) << 20;
-  http_.send(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
+  http_.send(request, [this](const net::HttpAnswer& answer) { onDeviceInfo(answer); });
 }
 
-void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
+void AxbotLink::onDeviceInfo(const net::HttpAnswer& answer) {
   device_info_asked_ = false;
   if (answer.ok()) {
     const DeviceInfo info = deviceInfoIn(answer.body);
@@ -273,13 +273,13 @@ void AxbotLink::deliverDefinition() {
   places_->deliveries.pass(std::move(parcel));
 }
 
-void AxbotLink::takeText(const QByteArray& utf8) {
+void AxbotLink::onText(const QByteArray& utf8) {
   TextFrame frame = topic_reader_.read(wire::view(utf8));
   if (frame.topic.empty()) {
     // An answer, which may repeat what it was asked with.
     QByteArray without = utf8;
     unsaid().hideIn(without);
-    if (without != utf8) return takeText(without);
+    if (without != utf8) return onText(without);
   }
   places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
@@ -303,7 +303,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   }
 }
 
-void AxbotLink::takeBinary(const QByteArray& bytes) {
+void AxbotLink::onBinary(const QByteArray& bytes) {
   places_->tap.pass({wire::view(bytes), true, options_.wall_s()});
   auto frame = unpackBinaryFrame(wire::view(bytes));
   const std::string topic = topicOfBinaryFrame(wire::view(bytes));
@@ -381,7 +381,7 @@ void AxbotLink::submap(const wire::TaskPtr& task, const map::SubmapKey& key,
   request.most_at_once = kSubmapsAtOnce;
   wire::send(task, http_, request,
              [this, task, key, url = request.url, reply = std::move(reply)](const net::HttpAnswer& http) {
-               map::SubmapAnswer answer = takeSubmap(key, url, http);
+               map::SubmapAnswer answer = onSubmap(key, url, http);
                if (answer.outcome == map::SubmapAnswer::Outcome::Ok || !http.ok() || !http.from_cache)
                  return reply(std::move(answer));
                // What lies on the disk is none of the robot's business: it is asked itself.
@@ -390,8 +390,8 @@ void AxbotLink::submap(const wire::TaskPtr& task, const map::SubmapKey& key,
              });
 }
 
-map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url,
-                                        const net::HttpAnswer& http) {
+map::SubmapAnswer AxbotLink::onSubmap(const map::SubmapKey& key, const QUrl& url,
+                                      const net::HttpAnswer& http) {
   using Outcome = map::SubmapAnswer::Outcome;
   map::SubmapAnswer answer;
   if (http.ok()) {
@@ -430,7 +430,7 @@ map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& u
   return answer;
 }
 
-Fault AxbotLink::whyNot() const {
+Fault AxbotLink::unavailableReason() const {
   if (socket_.failure() != net::WebSocketLink::Failure::NotAWebSocket) return socket_.reason();
   return {fault::NoAutoxingRobotThere, {wire::hostOf(options_.base)}, {socket_.reason()}};
 }
@@ -444,7 +444,7 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 
 void AxbotLink::publishState() {
   ConnectionState state = wire::stateOf(socket_, wanted_);
-  if (state.reason.any()) state.reason = whyNot();
+  if (state.reason.any()) state.reason = unavailableReason();
   link_log_.note(state);
   Q_EMIT silenceChanged(socket_.silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);

@@ -82,7 +82,7 @@ class AxbotLink : public wire::RobotLink {
 
  private:
   void askDeviceInfo();
-  void takeDeviceInfo(const net::HttpAnswer& answer);
+  void onDeviceInfo(const net::HttpAnswer& answer);
   void subscribe();
   RobotServer server();
   void send(const QStringList& requests);
@@ -95,13 +95,13 @@ class AxbotLink : public wire::RobotLink {
   void deliver(std::shared_ptr<const std::string> bytes, const std::string& topic, const char* encoding,
                std::optional<double> said_s);
   void deliverDefinition();
-  void takeText(const QByteArray& utf8);
-  void takeBinary(const QByteArray& bytes);
-  map::SubmapAnswer takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http);
+  void onText(const QByteArray& utf8);
+  void onBinary(const QByteArray& bytes);
+  map::SubmapAnswer onSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http);
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
-  Fault whyNot() const;
+  Fault unavailableReason() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
 
   LinkOptions options_;

@@ -79,14 +79,14 @@ void AxbotRobot::cameOnline() {
   if (std::exchange(overview_unknown_, std::nullopt)) Q_EMIT capabilitiesChanged();
 }
 
-Absence AxbotRobot::whyNot(Capability capability) const {
+Absence AxbotRobot::unavailableReason(Capability capability) const {
   if (capability == Capability::Overview && overview_unknown_)
     return {Absence::Reason::FirmwareLacks, {overview_unknown_->toStdString()}};
   if (capability == Capability::WaypointEditing) return {Absence::Reason::NotYetHere, {}};
   return {};
 }
 
-void AxbotRobot::takeTopic(const map::StampedMessage& stamped) {
+void AxbotRobot::onTopic(const map::StampedMessage& stamped) {
   bool other_map = false;
   if (const auto* info = std::get_if<map::MapInfo>(&stamped.message)) {
     const map::MapInfo known{info->name, info->uid, info->map_version, info->overlays_version, {}, {}};
@@ -95,7 +95,7 @@ void AxbotRobot::takeTopic(const map::StampedMessage& stamped) {
   }
   bool other_state = false;
   if (const auto* slam = std::get_if<map::SlamStatus>(&stamped.message))
-    other_state = administration_.noteMapping(slam->state == "slam");
+    other_state = administration_.onMapping(slam->state == "slam");
   const QPointer<AxbotRobot> alive(this);
   Q_EMIT topicReceived(stamped);
   if (alive && other_state) Q_EMIT capabilitiesChanged();

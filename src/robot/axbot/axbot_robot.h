@@ -37,7 +37,7 @@ class Administration : public MapAdministration {
   Administration(AxbotLink* link, std::function<void()> changed)
       : changes_(link, &AxbotLink::changes), changed_(std::move(changed)) {}
   /// Whether the robot is mapping, as it says. True if that is news.
-  bool noteMapping(std::optional<bool> mapping) { return std::exchange(mapping_, mapping) != mapping; }
+  bool onMapping(std::optional<bool> mapping) { return std::exchange(mapping_, mapping) != mapping; }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
   bool tellsProgress() const override { return true; }
@@ -149,11 +149,11 @@ class AxbotRobot : public wire::NetworkRobot {
   OverlayStore* overlayStore() override { return &overlays_; }
   Localization* localization() override { return &pose_setting_; }
   MapTransfer* mapTransfer() override { return &transfer_; }
-  Absence whyNot(Capability capability) const override;
+  Absence unavailableReason(Capability capability) const override;
 
  private:
   AxbotRobot(QString address, wire::StartedLink<AxbotLink> started, QObject* parent);
-  void takeTopic(const map::StampedMessage& stamped) override;
+  void onTopic(const map::StampedMessage& stamped) override;
   void cameOnline() override;
 
   wire::SubmapsOf<AxbotLink> submaps_;

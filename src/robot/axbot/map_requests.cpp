@@ -220,7 +220,7 @@ void MapRequests::fetch(const Task& task, const map::MapKey& key, OutcomeTo<map:
   detail(task, key, [this, fetch](const Outcome<MapDetail>& detail) {
     if (!detail) {
       fetch->reply(fail(detail.error()));
-    } else if (const auto why = map::whyUnusable(detail->grid)) {
+    } else if (const auto why = map::unusableReason(detail->grid)) {
       fetch->reply(fail(wire::unfit(map::subjectOf(fetch->map.key), *why)));
     } else {
       fetchParts(fetch, *detail);

@@ -144,7 +144,7 @@ bool readList(JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& 
   if (json.peek() == ']') return json.take(']');
   do {
     if (json.peek() != '{') {
-      if (!json.takeScalar()) return false;
+      if (!json.readScalar()) return false;
       ++chunk.unreadable;
       continue;
     }
@@ -170,9 +170,9 @@ bool readQuickly(BagChunk& chunk) {
   bool has_messages = false;
   do {
     std::string_view key;
-    if (!json.takeString(key) || !json.take(':')) return false;
+    if (!json.readString(key) || !json.take(':')) return false;
     if (key != "messages") {
-      if (!json.takeScalar()) return false;
+      if (!json.readScalar()) return false;
     } else if (std::exchange(has_messages, true) || !readList(json, end, reader, chunk)) {
       return false;
     }

@@ -36,7 +36,7 @@ map::CatalogueEntry entryOf(const Json& row, map::MapKind kind) {
   entry.overlays_version = wire::smallInteger(row, {"overlays_version"});
   entry.state = wire::text(row, {"state"});
   entry.has_thumbnail = !wire::text(row, {"thumbnail_url"}).empty();
-  if (const auto grid = listedGrid(row); !map::whyUnusable(grid)) entry.grid = grid;
+  if (const auto grid = listedGrid(row); !map::unusableReason(grid)) entry.grid = grid;
   return entry;
 }
 
@@ -317,7 +317,7 @@ tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double a
   whole.key = {map::MapKind::Live, {}};
   whole.grid.resolution_m = response.resolution() == 0 ? asked_resolution_m : response.resolution();
   whole.grid.origin = {response.origin_x(), response.origin_y(), 0};
-  if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
+  if (const auto why = map::unusableReason(whole.grid)) return refused(*why);
   if (response.png_bytes().empty()) return refused(faultText("axbot", "The robot sent no picture."));
   whole.bytes = std::make_shared<const std::string>(std::move(*response.mutable_png_bytes()));
   if (const auto size = wire::pngSize(*whole.bytes)) {

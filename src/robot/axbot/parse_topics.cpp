@@ -55,7 +55,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   grid.topic = frame.topic;
   grid.kind = kind;
   grid.grid = gridOf(message);
-  if (const auto why = map::whyUnusable(grid.grid)) return refuse(*why);
+  if (const auto why = map::unusableReason(grid.grid)) return refuse(*why);
   std::string_view data, url;
   if (const auto given = wire::member(message, {"data"})) std::ignore = given->get(data);
   if (const auto given = wire::member(message, {"data_url"})) std::ignore = given->get(url);

@@ -25,43 +25,43 @@ Member memberOf(std::string_view key) {
 }
 
 /// [x, y, …]: the count of numbers, of which the first `room` are stored; only numbers.
-bool takeRow(JsonCursor& json, double* numbers, std::size_t room, std::size_t& count) {
+bool addRow(JsonCursor& json, double* numbers, std::size_t room, std::size_t& count) {
   count = 0;
   if (!json.take('[')) return false;
   if (json.peek() == ']') return json.take(']');
   double beyond = 0;
   do {
-    if (!json.takeNumber(count < room ? numbers[count] : beyond)) return false;
+    if (!json.readNumber(count < room ? numbers[count] : beyond)) return false;
     ++count;
   } while (json.take(','));
   return json.take(']');
 }
 
-bool takePosition(JsonCursor& json, geometry::Pose2& pose) {
+bool readPosition(JsonCursor& json, geometry::Pose2& pose) {
   double numbers[2] = {0, 0};
   std::size_t count = 0;
-  if (!takeRow(json, numbers, 2, count)) return false;
+  if (!addRow(json, numbers, 2, count)) return false;
   pose.x_m = numbers[0];
   pose.y_m = numbers[1];
   return count >= 2;
 }
 
-bool takePoints(JsonCursor& json, CloudPoints& cloud) {
+bool readPoints(JsonCursor& json, CloudPoints& cloud) {
   if (!json.take('[')) return false;
   if (json.peek() == ']') return json.take(']');
   do {
     double numbers[4] = {std::nan(""), std::nan(""), 0, 0};
     std::size_t count = 0;
-    if (!takeRow(json, numbers, 4, count) || cloud.full()) return false;
+    if (!addRow(json, numbers, 4, count) || cloud.full()) return false;
     cloud.add(numbers[0], numbers[1], numbers[2], numbers[3]);
   } while (json.take(','));
   return json.take(']');
 }
 
 /// The topic of a message that begins with it.
-bool takeTopic(JsonCursor& json, std::string_view& topic) {
+bool readTopic(JsonCursor& json, std::string_view& topic) {
   std::string_view key;
-  return json.take('{') && json.takeString(key) && key == "topic" && json.take(':') && json.takeString(topic);
+  return json.take('{') && json.readString(key) && key == "topic" && json.take(':') && json.readString(topic);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ bool takeTopic(JsonCursor& json, std::string_view& topic) {
 const char* PlainMessages::read(const char* at, BagMessage& message) {
   JsonCursor json(at);
   std::string_view topic;
-  if (!takeTopic(json, topic)) return nullptr;
+  if (!readTopic(json, topic)) return nullptr;
   message.message.topic = topic;
   const bool is_pose = topic == "/tracked_pose";
   if (!is_pose && !isCloudTopic(message.message.topic)) return nullptr;
@@ -79,7 +79,7 @@ const char* PlainMessages::read(const char* at, BagMessage& message) {
   unsigned seen = 1u << unsigned(Member::Topic);
   while (json.take(',')) {
     std::string_view key;
-    if (!json.takeString(key) || !json.take(':')) return nullptr;
+    if (!json.readString(key) || !json.take(':')) return nullptr;
     Member member = memberOf(key);
     if (member == (is_pose ? Member::Points : Member::Position)) member = Member::Other;
     if (!is_pose && member == Member::Heading) member = Member::Other;
@@ -90,29 +90,29 @@ const char* PlainMessages::read(const char* at, BagMessage& message) {
     bool read = false;
     switch (member) {
       case Member::Recorded:
-        read = json.takeNumber(message.message.received_s);
+        read = json.readNumber(message.message.received_s);
         break;
       case Member::Robots: {
         double stamp = 0;
-        read = json.takeNumber(stamp);
+        read = json.readNumber(stamp);
         message.message.recorded_s = std::abs(stamp) > kLatestSeconds ? stamp / 1000 : stamp;
         break;
       }
       case Member::Latched:
-        read = json.takeTruth(message.latched);
+        read = json.readBoolean(message.latched);
         break;
       case Member::Position:
-        read = takePosition(json, pose);
+        read = readPosition(json, pose);
         break;
       case Member::Heading:
-        read = json.takeNumber(pose.yaw_rad);
+        read = json.readNumber(pose.yaw_rad);
         break;
       case Member::Points:
-        read = takePoints(json, cloud);
+        read = readPoints(json, cloud);
         break;
       case Member::Topic:
       case Member::Other:
-        read = json.takeScalar();
+        read = json.readScalar();
         break;
     }
     if (!read) return nullptr;
@@ -136,7 +136,7 @@ const char* PlainMessages::read(const char* at, BagMessage& message) {
 void PlainMessages::remember(std::string_view json, const BagMessage& message, std::size_t index) {
   JsonCursor topic_of(json.data());
   std::string_view topic;
-  if (!takeTopic(topic_of, topic) || topic != message.message.topic) return;
+  if (!readTopic(topic_of, topic) || topic != message.message.topic) return;
   said_.erase(topic);
   // The stamp must be the message's own, not a nested one: only the end of the message, or one more member,
   // may follow.
@@ -146,7 +146,7 @@ void PlainMessages::remember(std::string_view json, const BagMessage& message, s
   if (!number.take(':')) return;
   const std::string_view before = json.substr(0, std::size_t(number.at() - json.data()));
   double stamp_s = 0;
-  if (!number.takeNumber(stamp_s) || stamp_s != message.message.received_s) return;
+  if (!number.readNumber(stamp_s) || stamp_s != message.message.received_s) return;
   const std::string_view behind = json.substr(std::size_t(number.at() - json.data()));
   const bool own = behind == "}" || behind == ",\"__latched\":false}" || behind == ",\"__latched\":true}";
   if (own) said_.emplace(topic, Said{before, behind, index});
@@ -155,58 +155,58 @@ void PlainMessages::remember(std::string_view json, const BagMessage& message, s
 const char* PlainMessages::readAgain(const char* at, std::size_t& of, double& stamp_s) const {
   JsonCursor json(at);
   std::string_view topic;
-  if (!takeTopic(json, topic)) return nullptr;
+  if (!readTopic(json, topic)) return nullptr;
   const auto said = said_.find(topic);
   if (said == said_.end()) return nullptr;
   JsonCursor again(at);
-  if (!again.takeText(said->second.before) || !again.takeNumber(stamp_s) ||
-      !again.takeText(said->second.behind))
+  if (!again.readText(said->second.before) || !again.readNumber(stamp_s) ||
+      !again.readText(said->second.behind))
     return nullptr;
   of = said->second.index;
   return again.at();
 }
 
-bool JsonCursor::takeLongNumber(double& number) {
+bool JsonCursor::readLongNumber(double& number) {
   constexpr std::ptrdiff_t kMostWholeDigits = 18;
   const char* const begin = at_;
   if (*at_ == '-') ++at_;
-  const auto takeDigits = [&] {
+  const auto readDigits = [&] {
     const char* const first = at_;
     while (isDigit(*at_)) ++at_;
     return at_ > first;
   };
-  if (!takeDigits()) return false;
+  if (!readDigits()) return false;
   bool whole = true;
   if (*at_ == '.') {
     whole = false;
     ++at_;
-    if (!takeDigits()) return false;
+    if (!readDigits()) return false;
   }
   if (*at_ == 'e' || *at_ == 'E') {
     whole = false;
     ++at_;
     if (*at_ == '+' || *at_ == '-') ++at_;
-    if (!takeDigits()) return false;
+    if (!readDigits()) return false;
   }
   if (whole && at_ - begin > kMostWholeDigits) return false;
   const auto [end, error] = std::from_chars(begin, at_, number);
   return error == std::errc() && end == at_;
 }
 
-bool JsonCursor::takeScalar() {
+bool JsonCursor::readScalar() {
   std::string_view text;
   double number = 0;
   switch (*at_) {
     case '"':
-      return takeString(text);
+      return readString(text);
     case 't':
-      return takeText("true");
+      return readText("true");
     case 'f':
-      return takeText("false");
+      return readText("false");
     case 'n':
-      return takeText("null");
+      return readText("null");
     default:
-      return takeNumber(number);
+      return readNumber(number);
   }
 }
 

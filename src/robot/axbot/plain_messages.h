@@ -37,13 +37,13 @@ class JsonCursor {
     skipSpace();
     return true;
   }
-  bool takeText(std::string_view text) {
+  bool readText(std::string_view text) {
     if (std::strncmp(at_, text.data(), text.size()) != 0) return false;
     at_ += text.size();
     return true;
   }
   /// A string without escapes and control characters.
-  bool takeString(std::string_view& text) {
+  bool readString(std::string_view& text) {
     if (*at_ != '"') return false;
     const char* const start = ++at_;
     while (*at_ != '"' && *at_ != '\\' && static_cast<unsigned char>(*at_) >= 0x20) ++at_;
@@ -52,19 +52,19 @@ class JsonCursor {
     ++at_;
     return true;
   }
-  bool takeTruth(bool& truth) {
+  bool readBoolean(bool& truth) {
     truth = *at_ == 't';
-    return takeText(truth ? "true" : "false");
+    return readText(truth ? "true" : "false");
   }
   /// The nearest double; false for numbers that are too large, and for integers with too many digits.
-  bool takeNumber(double& number);
+  bool readNumber(double& number);
   /// A string, number, boolean or null.
-  bool takeScalar();
+  bool readScalar();
 
  private:
   static bool isDigit(char c) { return c >= '0' && c <= '9'; }
   bool ends() const { return *at_ == ',' || *at_ == ']' || *at_ == '}' || *at_ == ' ' || *at_ == '\n'; }
-  bool takeLongNumber(double& number);
+  bool readLongNumber(double& number);
 
   const char* at_;
 };
@@ -73,7 +73,7 @@ class JsonCursor {
 /// does not validate the rest. nullptr: it does not end before `end`.
 const char* endOfNested(const char* at, const char* end);
 
-inline bool JsonCursor::takeNumber(double& number) {
+inline bool JsonCursor::readNumber(double& number) {
   // With few digits, as robots write positions, it is an integer divided by a power of ten: both are exact
   // doubles, so the quotient is the nearest double.
   constexpr double kPowers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
@@ -95,7 +95,7 @@ inline bool JsonCursor::takeNumber(double& number) {
   }
   if (before + after > kMostDigits || !ends()) {
     at_ = begin;
-    return takeLongNumber(number);
+    return readLongNumber(number);
   }
   const double size = after == 0 ? double(whole) : double(whole) / kPowers[after];
   number = negative ? -size : size;

@@ -44,7 +44,7 @@ std::optional<QString> namespaceFrom(QString text) {
 }
 
 /// A sentence about what is wrong with them; empty = nothing.
-QString whyNotOptions(const QUrlQuery& options) {
+QString notOptionsReason(const QUrlQuery& options) {
   for (const auto& [name, value] : options.queryItems(QUrl::FullyDecoded)) {
     const bool resolution = name == QLatin1String("resolution");
     if (name == QLatin1String("ns")) {
@@ -93,7 +93,7 @@ ParsedAddress parse(const QString& rest) {
   if (path.startsWith(QLatin1String("~/"))) path.replace(0, 1, QDir::homePath());
   Address address;
   address.options = QUrlQuery(query);
-  if (const QString why = whyNotOptions(address.options); !why.isEmpty()) return error(why);
+  if (const QString why = notOptionsReason(address.options); !why.isEmpty()) return error(why);
   if (!query.isEmpty() && whatSaysItsPlace(path))
     return error(FileAddressText::tr("%1 already states where its map is: leave out the part after the ?.")
                      .arg(QFileInfo(path).fileName()));

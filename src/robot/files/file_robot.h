@@ -77,7 +77,7 @@ class FileRobot : public Robot {
   WaypointStore* waypointStore() override { return &waypoints_; }
   PictureStore* pictureStore() override { return &pictures_; }
   OverlayStore* overlayStore() override { return &overlays_; }
-  Absence whyNot(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
+  Absence unavailableReason(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
 
  private:
   void enter(ConnectionPhase phase, const Fault& reason = {});

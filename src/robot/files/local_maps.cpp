@@ -55,7 +55,7 @@ void note(map::WholeMap& whole, map::Severity severity, Fault odd) {
   whole.notes.push_back({severity, map::subjectOf(whole.key, whole.name), std::move(odd)});
 }
 
-std::optional<Fault> whyUnreadable(const QString& path) {
+std::optional<Fault> unreadableReason(const QString& path) {
   const QFileInfo info(path);
   const std::string name = path.toStdString();
   if (!info.exists()) return Fault(fault::NoSuchFile, {name});
@@ -74,7 +74,7 @@ tl::expected<map::WholeMap, Fault> fromYaml(const QString& path, YamlShelf& yaml
   whole.reading = yaml->reading;
   const QString folder = QFileInfo(path).absolutePath();
   const QString picture = QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(yaml->image)));
-  if (auto why = whyUnreadable(picture)) return refused({fault::PictureNotReadable, {}, {*why}});
+  if (auto why = unreadableReason(picture)) return refused({fault::PictureNotReadable, {}, {*why}});
   whole.path = picture.toStdString();
   for (Fault& odd : yaml->notes) note(whole, map::Severity::Warning, std::move(odd));
   if (!liesBelow(trueFolder(picture), trueFolder(path))) {
@@ -229,7 +229,7 @@ QStringList yamlsNaming(const QString& picture) {
 
 tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const PicturePlace& place,
                                                 YamlShelf& yamls, const PictureYamls* beside) {
-  if (auto why = whyUnreadable(path)) return refused(std::move(*why));
+  if (auto why = unreadableReason(path)) return refused(std::move(*why));
   if (isOverlayFile(path)) {
     const QString map = mapBeside(path);
     return map.isEmpty() ? fromOverlays(path) : readLocalMap(map, place, yamls);
@@ -243,7 +243,7 @@ tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const Pictu
                                              : described  ? fromYaml(named_by.front(), yamls)
                                                           : fromPicture(path, place, named_by);
   if (!whole) return whole;
-  if (auto why = map::whyUnusable(whole->grid)) return refused(std::move(*why));
+  if (auto why = map::unusableReason(whole->grid)) return refused(std::move(*why));
   if (!whole->path.empty())
     whole->fingerprint = stampOf(QString::fromStdString(whole->path)) + "|" + readingText(whole->reading);
   return whole;

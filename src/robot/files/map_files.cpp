@@ -42,7 +42,7 @@ void MapFiles::start() {
   settle_ = std::make_unique<QTimer>();
   settle_->setSingleShot(true);
   settle_->setInterval(options_.settle);
-  connect(settle_.get(), &QTimer::timeout, this, &MapFiles::tellChange);
+  connect(settle_.get(), &QTimer::timeout, this, &MapFiles::notifyChanged);
   // The watcher loses files that are replaced by renaming; watching their folder helps.
   connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, [this] { settle_->start(); });
   connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, [this] { settle_->start(); });
@@ -116,7 +116,7 @@ QStringList MapFiles::watchAndStamp() {
   return stamps;
 }
 
-void MapFiles::tellChange() {
+void MapFiles::notifyChanged() {
   const QStringList stamps = watchAndStamp();
   if (stamps == stamps_ || isWantedNoMore()) return;
   stamps_ = stamps;

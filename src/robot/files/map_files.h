@@ -54,7 +54,7 @@ class MapFiles : public QObject {
   /// Watches the files of the maps, and returns their present stamps.
   QStringList watchAndStamp();
   void look();
-  void tellChange();
+  void notifyChanged();
 
   FileOptions options_;
   YamlShelf yamls_;

@@ -149,7 +149,7 @@ std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
   if (!metres) return map::fault::ResolutionNoNumber;
   yaml.grid.resolution_m = *metres;
   if (auto why = readOrigin(root["origin"], yaml)) return why;
-  if (auto why = map::whyUnusable(yaml.grid)) return why;
+  if (auto why = map::unusableReason(yaml.grid)) return why;
   if (auto why = readNegate(root["negate"], yaml)) return why;
   if (auto why = readMode(root["mode"], yaml)) return why;
   if (yaml.reading.mode == map::CellReading::Mode::Raw) {

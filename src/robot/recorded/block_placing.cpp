@@ -105,8 +105,8 @@ void BlockPlacing::readEarlier() {
     const double at_s = secondsOf(saidNs(message));
     now_.forgetSilent(at_s);
     for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
-      now_.takeEarlier(source, (*frame)->root(), at_s);
-      if (source.form == ros::Form::StaticTf) ahead_.takeEarlier(source, (*frame)->root(), at_s);
+      now_.addEarlier(source, (*frame)->root(), at_s);
+      if (source.form == ros::Form::StaticTf) ahead_.addEarlier(source, (*frame)->root(), at_s);
     }
   }
   now_.forgetSilent(secondsOf(block_ns_));
@@ -171,8 +171,7 @@ void BlockPlacing::endMarkers(std::int64_t until_ns, ros::WorldResults& results)
   while (now_.nextMarkerEnd() <= secondsOf(until_ns)) append(results, now_.overdue(now_.nextMarkerEnd()));
 }
 
-ros::WorldResult BlockPlacing::takeGrid(const ros::Source& source, const ros::Field& msg,
-                                        std::int64_t at_ns) {
+ros::WorldResult BlockPlacing::onGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns) {
   const auto grid = ros::readGrid(msg);
   if (!grid) {
     ros::WorldResult result = resultOf(source.topic, at_ns);
@@ -186,8 +185,8 @@ ros::WorldResult BlockPlacing::takeGrid(const ros::Source& source, const ros::Fi
   return ahead_.take(source, *grid, secondsOf(at_ns));
 }
 
-ros::WorldResult BlockPlacing::takePatch(const ros::Source& source, const ros::Field& msg,
-                                         std::int64_t at_ns) {
+ros::WorldResult BlockPlacing::applyMapPatch(const ros::Source& source, const ros::Field& msg,
+                                             std::int64_t at_ns) {
   ros::WorldResult result = resultOf(source.topic, at_ns);
   const auto patch = ros::readGridPatch(msg);
   if (!patch) {
@@ -232,13 +231,13 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
         append(all, now_.take(source, frame->root(), secondsOf(at_ns)));
         break;
       case ros::Form::MapService:
-        all.push_back(takeGrid(source, frame->root()["map"], at_ns));
+        all.push_back(onGrid(source, frame->root()["map"], at_ns));
         break;
       case ros::Form::Grid:
-        all.push_back(takeGrid(source, frame->root(), at_ns));
+        all.push_back(onGrid(source, frame->root(), at_ns));
         break;
       case ros::Form::GridPatch:
-        all.push_back(takePatch(source, frame->root(), at_ns));
+        all.push_back(applyMapPatch(source, frame->root(), at_ns));
         break;
       default:
         // Poses use the latest data, everything else its own stamp.

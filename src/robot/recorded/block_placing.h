@@ -83,8 +83,8 @@ class BlockPlacing {
   void endMarkers(std::int64_t until_ns, ros::WorldResults& results);
   /// Derived results come when their messages come.
   void shift(ros::WorldResults& results) const;
-  ros::WorldResult takeGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
-  ros::WorldResult takePatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
+  ros::WorldResult onGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
+  ros::WorldResult applyMapPatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
   /// A recording may begin between a message and the transform for its position.
   bool isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const;
   void addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns);

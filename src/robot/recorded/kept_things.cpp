@@ -147,7 +147,7 @@ Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
     return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {facts_name}}));
   whole.name = wire::text(*facts, {"name"});
   readGrid(*facts, whole);
-  if (auto why = map::whyUnusable(whole.grid)) return fail(wire::unfit(subject, std::move(*why)));
+  if (auto why = map::unusableReason(whole.grid)) return fail(wire::unfit(subject, std::move(*why)));
   whole.display_rotation_rad = wire::number(*facts, {"display_rotation_rad"});
   readThingsOn(*facts, whole);
   const std::string places = lastOf(recorder::waypointsName(key)).value_or(std::string());
@@ -207,7 +207,7 @@ std::vector<map::CatalogueEntry> KeptThings::maps() {
         entry.is_current = true;
         current_ns = told_ns;
       }
-      if (!map::whyUnusable(whole.grid)) entry.grid = whole.grid;
+      if (!map::unusableReason(whole.grid)) entry.grid = whole.grid;
     }
     entries.push_back(std::move(entry));
   }

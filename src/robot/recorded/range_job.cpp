@@ -61,7 +61,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
     return Step::More;
   }
   if (last_ && !last_->empty()) {
-    takeLast(parts);
+    finishLast(parts);
     return Step::More;
   }
   auto block = nextBlock(parts);
@@ -123,7 +123,7 @@ bool RangeJob::knowsEarlier(const Parts& parts, std::int64_t block_ns) {
   return !parts.shape.any() || parts.lasting.reach(block_ns, kMostAtOnce);
 }
 
-void RangeJob::takeLast(const Parts& parts) {
+void RangeJob::finishLast(const Parts& parts) {
   const std::int64_t at_ns = last_->back().log_time_ns;
   const recording::Channel& channel = *last_->back().channel;
   const bool placed = parts.shape.isRos(channel) && parts.shape.by_topic.contains(channel.topic);
@@ -185,7 +185,7 @@ void RangeJob::keepLastPose() {
   }
 }
 
-void RangeJob::noteUndecoded(const std::string& topic, Fault reason) {
+void RangeJob::reportUndecoded(const std::string& topic, Fault reason) {
   if (range_.whole_texts) return note(topic, map::ProblemCode::Unreadable, std::move(reason));
   note(topic, map::ProblemCode::Odd, std::move(reason), map::Severity::Info);
 }
@@ -226,8 +226,8 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told) {
   }
 }
 
-void RangeJob::takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
-                         BagMessage& told) {
+void RangeJob::onFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
+                       BagMessage& told) {
   axbot::TextFrame frame = axbot::readFrameOn(message.channel->topic, root);
   told.message.recorded_s = wire::epochSeconds(root, {"stamp"});
   told.known = frame.message || frame.grid_to_fetch;
@@ -265,7 +265,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
     }
     if (!frame && frame.error().any()) {
-      if (range_.whole_texts || !placed) noteUndecoded(channel.topic, frame.error());
+      if (range_.whole_texts || !placed) reportUndecoded(channel.topic, frame.error());
       // One outside the range is counted in its own.
       if (!range_.whole_texts && placed && takes(stamp_s)) ++chunk_->unreadable;
     }
@@ -283,7 +283,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
   } else if (channel.message_encoding == "json") {
     const auto root = json_.read(texts.bytes());
     if (root && root->is_object()) {
-      takeFrame(parts, *root, message, told);
+      onFrame(parts, *root, message, told);
       text = texts.ofFrame(*root);
     } else {
       note(channel.topic, map::ProblemCode::Unreadable,
@@ -311,7 +311,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
     const bool read = range_.whole_texts || message.bytes.size() <= kMostUnknown;
     const auto frame = read ? parts.fields.readOther(message) : tl::unexpected(Fault());
     text = texts.ofOther(frame);
-    if (!frame && frame.error().any()) noteUndecoded(channel.topic, frame.error());
+    if (!frame && frame.error().any()) reportUndecoded(channel.topic, frame.error());
   }
   const std::size_t before = chunk_->messages.size();
   add(std::move(told), text);

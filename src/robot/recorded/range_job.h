@@ -33,14 +33,14 @@ class RangeJob {
   /// Once Done. `untimed`: number of messages without a valid time, to report with it.
   BagChunkPtr chunk(std::size_t untimed);
   /// Problems with messages, and recoveries.
-  std::vector<map::Problem> takeProblems() { return std::exchange(problems_, {}); }
+  std::vector<map::Problem> addProblems() { return std::exchange(problems_, {}); }
   const BagKey& key() const { return key_; }
   const BagRange& range() const { return range_; }
 
  private:
   /// The last messages before the range, each as it is when played.
   void findLast(const Parts& parts);
-  void takeLast(const Parts& parts);
+  void finishLast(const Parts& parts);
   /// The next block with messages that overlaps the range.
   std::optional<std::int64_t> nextBlock(const Parts& parts) const;
   /// Whether what still counts at the beginning of a block is known; otherwise goes on to find out.
@@ -49,14 +49,14 @@ class RangeJob {
     return adding_last_ ? stamp_s < range_.from_s : stamp_s >= range_.from_s && stamp_s < range_.until_s;
   }
   void take(const Parts& parts, const recording::Message& message, BlockPlacing* placing);
-  void takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
-                 BagMessage& told);
+  void onFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
+               BagMessage& told);
   void add(BagMessage told, std::string_view text);
   /// Messages of the same time come in any order: their combined result is the robot's pose.
   void keepLastPose();
   void addResults(ros::WorldResults results, BagMessage* told);
   /// Only its bytes are there: for programs that is a loss, for people to be known.
-  void noteUndecoded(const std::string& topic, Fault reason);
+  void reportUndecoded(const std::string& topic, Fault reason);
   void note(const std::string& topic, map::ProblemCode code, Fault reason,
             map::Severity severity = map::Severity::Warning);
 

@@ -71,12 +71,12 @@ bool RecordedFile::ready() {
     return false;
   }
   parts_ = std::make_unique<Parts>(std::move(*source), choices_, options_.ns);
-  trouble_ = whyNoRobot();
+  trouble_ = noRobotReason();
   if (trouble_) {
     parts_.reset();
     return false;
   }
-  tellNotes();
+  reportNotes();
   Q_EMIT opened(facts());
   return true;
 }
@@ -96,7 +96,7 @@ void RecordedFile::open() {
   }
 }
 
-std::optional<map::Failure> RecordedFile::whyNot(const map::Subject& subject) {
+std::optional<map::Failure> RecordedFile::unavailableReason(const map::Subject& subject) {
   if (ready()) return std::nullopt;
   return wire::unfit(subject, *trouble_);
 }
@@ -107,7 +107,7 @@ void RecordedFile::tell(const map::Problem& problem) {
   if (told_.insert(row).second) Q_EMIT problemFound(problem);
 }
 
-std::optional<Fault> RecordedFile::whyNoRobot() const {
+std::optional<Fault> RecordedFile::noRobotReason() const {
   const auto& robots = parts_->robots;
   const auto& channels = parts_->file->channels();
   if (options_.ns.empty() || std::find(robots.begin(), robots.end(), options_.ns) != robots.end() ||
@@ -120,8 +120,8 @@ std::optional<Fault> RecordedFile::whyNoRobot() const {
   return Fault(faultText("recorded", "It contains no robot %1, only %2."), {options_.ns, listOf(robots)});
 }
 
-void RecordedFile::tellNotes() {
-  tellInterruption();
+void RecordedFile::reportNotes() {
+  reportInterruption();
   if (!parts_->robots.empty() && options_.ns.empty()) {
     const std::string shown = parts_->shape.robots.size() < 2        ? parts_->robots.front()
                               : parts_->shape.robots.front().empty() ? "/"
@@ -144,7 +144,7 @@ void RecordedFile::tellNotes() {
     tell({map::Severity::Info, subjectOf(ownKey()), reasonOf(away), map::ProblemCode::Odd});
 }
 
-void RecordedFile::tellInterruption() {
+void RecordedFile::reportInterruption() {
   const bool interrupted = isInterrupted(*parts_->file);
   if (std::exchange(told_interrupted_, interrupted) == interrupted) return;
   const map::Subject bag = subjectOf(ownKey());
@@ -235,7 +235,8 @@ RecordingFacts RecordedFile::facts() const {
 }
 
 Outcome<std::vector<BagEntry>> RecordedFile::bags() {
-  if (auto failure = whyNot({map::SubjectKind::Bag, ownKey().name})) return fail(std::move(*failure));
+  if (auto failure = unavailableReason({map::SubjectKind::Bag, ownKey().name}))
+    return fail(std::move(*failure));
   refresh();
   const recording::Summary summary = parts_->file->summary();
   BagEntry entry;
@@ -246,7 +247,7 @@ Outcome<std::vector<BagEntry>> RecordedFile::bags() {
 }
 
 Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
-  if (auto failure = whyNot(subjectOf(key))) return fail(std::move(*failure));
+  if (auto failure = unavailableReason(subjectOf(key))) return fail(std::move(*failure));
   if (key.name != ownKey().name) {
     return fail(wire::notThere(subjectOf(key)));
   }
@@ -277,8 +278,8 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
   info.interrupted = isInterrupted(*parts_->file);
   info.repair = repairOf(*parts_->file);
   info.away = awayIn(*parts_->file);
-  tellContent(info, summary);
-  tellNotes();
+  notifyContent(info, summary);
+  reportNotes();
   told_info_ = info;
   info_is_old_ = false;
   return info;
@@ -323,7 +324,7 @@ std::map<RecordedFile::Form, double> RecordedFile::rates(
   return rates;
 }
 
-void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary) {
+void RecordedFile::notifyContent(BagInfo& info, const recording::Summary& summary) {
   const auto& counts = summary.counted ? summary.messages_of : counted_of_;
   std::map<Form, std::int64_t> topics;
   for (const recording::ChannelPtr& channel : parts_->file->channels()) {
@@ -362,7 +363,7 @@ void RecordedFile::messages(const wire::TaskPtr& task, const BagKey& key, const 
                                            .cause = {robot::axbot::fault::BagNotAsked, {span}}}));
     return;
   }
-  if (auto failure = whyNot(subjectOf(key))) {
+  if (auto failure = unavailableReason(subjectOf(key))) {
     reply(tl::make_unexpected(std::move(*failure)));
     return;
   }
@@ -385,7 +386,7 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
   }
   const RangeJob::Step step = job->range.step(
       {{*parts_->file, parts_->fields, parts_->shape, parts_->lasting, parts_->folds}, parts_->kept});
-  for (const map::Problem& problem : job->range.takeProblems()) tell(problem);
+  for (const map::Problem& problem : job->range.addProblems()) tell(problem);
   switch (step) {
     case RangeJob::Step::More:
       QMetaObject::invokeMethod(
@@ -397,14 +398,14 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
                                            .subject = subjectOf(job->range.key()),
                                            .cause = {fault::AnswerTooLong, {job->range.range().max_bytes}}}));
     case RangeJob::Step::Done:
-      tellNotes();
+      reportNotes();
       return end(job->range.chunk(newlyUntimed()));
   }
 }
 
 Outcome<std::shared_ptr<const std::string>> RecordedFile::picture(const std::string& topic,
                                                                   const std::string& name) {
-  if (auto failure = whyNot({map::SubjectKind::Topic, topic})) return fail(std::move(*failure));
+  if (auto failure = unavailableReason({map::SubjectKind::Topic, topic})) return fail(std::move(*failure));
   return parts_->kept.picture(topic, name);
 }
 
@@ -418,17 +419,18 @@ map::SubmapAnswer RecordedFile::submap(const map::SubmapKey& key) {
 }
 
 Outcome<map::WholeMap> RecordedFile::fetch(const map::MapKey& key) {
-  if (auto failure = whyNot(map::subjectOf(key))) return fail(std::move(*failure));
+  if (auto failure = unavailableReason(map::subjectOf(key))) return fail(std::move(*failure));
   return parts_->kept.wholeMap(key);
 }
 
 Outcome<map::WaypointList> RecordedFile::waypoints(const map::MapKey& key) {
-  if (auto failure = whyNot(map::placesOf(key))) return fail(std::move(*failure));
+  if (auto failure = unavailableReason(map::placesOf(key))) return fail(std::move(*failure));
   return parts_->kept.waypoints(key);
 }
 
 Outcome<std::vector<map::CatalogueEntry>> RecordedFile::list() {
-  if (auto failure = whyNot({map::SubjectKind::Catalogue, map::kMapsPart})) return fail(std::move(*failure));
+  if (auto failure = unavailableReason({map::SubjectKind::Catalogue, map::kMapsPart}))
+    return fail(std::move(*failure));
   return parts_->kept.maps();
 }
 

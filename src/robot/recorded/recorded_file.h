@@ -81,19 +81,19 @@ class RecordedFile : public QObject {
   };
   BagKey ownKey() const;
   bool ready();
-  std::optional<map::Failure> whyNot(const map::Subject& subject);
+  std::optional<map::Failure> unavailableReason(const map::Subject& subject);
   bool refresh();
-  void tellNotes();
+  void reportNotes();
   /// Why the file has nothing of the robot that was asked for; nullopt: it has.
-  std::optional<Fault> whyNoRobot() const;
+  std::optional<Fault> noRobotReason() const;
   /// Reports that its end is missing, as long as that is so.
-  void tellInterruption();
+  void reportInterruption();
   /// Messages without a valid time that no chunk has counted yet: they are in no range.
   std::size_t newlyUntimed();
   void tell(const map::Problem& problem);
   RecordingFacts facts() const;
   /// The number of messages of each topic, and how they are stored.
-  void tellContent(BagInfo& info, const recording::Summary& summary);
+  void notifyContent(BagInfo& info, const recording::Summary& summary);
   using Form = std::tuple<std::string, std::string, std::string>;  // topic, type, encoding
   std::map<Form, double> rates(const std::map<std::uint32_t, std::uint64_t>& counts);
   void proceed(const std::shared_ptr<Job>& job);

@@ -81,7 +81,7 @@ std::optional<map::GridReference> readMapExtent(const Field& msg) {
   if (!size || size->width > kMostAcross || size->height > kMostAcross) return std::nullopt;
   const map::GridReference grid{int(size->width), int(size->height), resolutionOf(msg),
                                 poseOf(msg["origin"]).pose.flat()};
-  if (map::whyUnusable(grid) || !std::isfinite(grid.origin.yaw_rad)) return std::nullopt;
+  if (map::unusableReason(grid) || !std::isfinite(grid.origin.yaw_rad)) return std::nullopt;
   if (grid.width * grid.resolution_m > kLargestM || grid.height * grid.resolution_m > kLargestM)
     return std::nullopt;
   return grid;

@@ -96,7 +96,7 @@ void DispatchRequests::take(Dispatcher found) {
     return std::none_of(dispatcher_.metadata.begin(), dispatcher_.metadata.end(),
                         [&](const Endpoint& topic) { return topic.name == one.first; });
   });
-  tellExtent();
+  notifyExtent();
   looked();
   if (other_offers) Q_EMIT offersChanged(dispatcher_);
 }
@@ -120,7 +120,7 @@ void DispatchRequests::beginAnew() {
   map_said_.clear();
   projections_said_.clear();
   extents_.clear();
-  tellExtent();
+  notifyExtent();
   forgetProjected([](int) { return true; });
 }
 
@@ -181,7 +181,7 @@ std::optional<Fault> DispatchRequests::hear(const std::string& topic, const Fiel
     before = now;
     extents_.erase(topic);
     if (const auto extent = readMapExtent(msg)) extents_[topic] = *extent;
-    tellExtent();
+    notifyExtent();
     if (other) Q_EMIT mapChanged();
     return std::nullopt;
   }
@@ -221,7 +221,7 @@ std::optional<Fault> DispatchRequests::hearProjected(int index, const Field& msg
   return std::nullopt;
 }
 
-void DispatchRequests::tellExtent() {
+void DispatchRequests::notifyExtent() {
   std::optional<map::GridReference> now;
   for (const auto& [topic, extent] : extents_) {
     if (now && *now != extent) {

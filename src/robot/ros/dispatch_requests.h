@@ -119,7 +119,7 @@ class DispatchRequests : public QObject {
   void withdraw(DispatchService service);
   /// Another name for a service that is not listed and was not there by the former ones.
   std::optional<Endpoint> nextToTry(DispatchService service) const;
-  void tellExtent();
+  void notifyExtent();
 
   net::rosbridge::Client& client_;
   const DispatchSettings settings_;

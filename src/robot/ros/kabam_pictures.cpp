@@ -222,10 +222,10 @@ void KabamPictures::send(const WritingPtr& writing) {
   request.large = true;
   request.timeout = timeouts_.call + timeFor(*writing->change.cells);
   call(writing->task, of_.client, std::move(request),
-       [this, writing](const CallAnswer& answer) { takeAnswer(writing, answer); });
+       [this, writing](const CallAnswer& answer) { onAnswer(writing, answer); });
 }
 
-void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answer) {
+void KabamPictures::onAnswer(const WritingPtr& writing, const CallAnswer& answer) {
   const map::Subject subject = writing->subject();
   const bool answered = answer.kind == CallAnswer::Kind::Answered;
   if (!answer.sent) {

@@ -107,7 +107,7 @@ class KabamPictures : public QObject {
 
   void readAgain(const WritingPtr& writing);
   void send(const WritingPtr& writing);
-  void takeAnswer(const WritingPtr& writing, const net::rosbridge::CallAnswer& answer);
+  void onAnswer(const WritingPtr& writing, const net::rosbridge::CallAnswer& answer);
   void confirm(const WritingPtr& writing);
   void giveUp(const WritingPtr& writing);
   void doubt(const std::string& map_id);

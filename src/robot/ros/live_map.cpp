@@ -25,7 +25,7 @@ map::WholeMap wholeMap(const map::GridMessage& grid, const map::MapKey& key, con
   return map;
 }
 
-Fault whyNot(const CallAnswer& answer) {
+Fault unavailableReason(const CallAnswer& answer) {
   if (answer.kind == CallAnswer::Kind::TimedOut) return fault::NoAnswerInTime;
   if (answer.kind == CallAnswer::Kind::LinkLost) return fault::LinkBrokeOff;
   if (!answer.words.empty()) return fault::said(answer.words.substr(0, 300));
@@ -109,7 +109,7 @@ void MapFromService::take(const std::string& service, const CallAnswer& answer) 
     Q_EMIT came(service, answer);
     return;
   }
-  if (!first_why_) first_why_.emplace(service, whyNot(answer));
+  if (!first_why_) first_why_.emplace(service, unavailableReason(answer));
   if (++next_ < services_.names.size()) return ask();
   timer_.start(timeouts_.again);
   if (services_.known) Q_EMIT failed(first_why_->first, first_why_->second);

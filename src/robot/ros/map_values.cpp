@@ -122,7 +122,7 @@ std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transfor
   map::GroundDrawing drawing;
   drawing.size_m = marker.scale_m.x();
   drawing.rgba = seen(marker.rgba);
-  const auto takePoints = [&](Drawn kind, std::size_t group) {
+  const auto readPoints = [&](Drawn kind, std::size_t group) {
     drawing.kind = kind;
     const std::size_t count = marker.points.size() / group * group;
     for (std::size_t i = 0; i < count; ++i) drawing.points.push_back(at(marker.points[i]));
@@ -140,18 +140,18 @@ std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transfor
       break;
     }
     case Kind::LineStrip:
-      takePoints(Drawn::Line, 1);
+      readPoints(Drawn::Line, 1);
       break;
     case Kind::LineList:
-      takePoints(Drawn::Segments, 2);
+      readPoints(Drawn::Segments, 2);
       break;
     case Kind::Triangles:
-      takePoints(Drawn::Triangles, 3);
+      readPoints(Drawn::Triangles, 3);
       break;
     case Kind::Points:
     case Kind::CubeList:
     case Kind::SphereList:
-      takePoints(Drawn::Points, 1);
+      readPoints(Drawn::Points, 1);
       break;
     case Kind::Text:
       drawing.kind = Drawn::Text;

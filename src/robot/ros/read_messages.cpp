@@ -245,7 +245,7 @@ Read<Grid> readGridOf(const Field& msg, std::int64_t most_cells, EmptyGrids empt
   grid.height = int(size->height);
   grid.resolution_m = resolutionOf(info);
   grid.origin = origin.pose.flat();
-  const auto why = map::whyUnusable({grid.width, grid.height, grid.resolution_m, grid.origin});
+  const auto why = map::unusableReason({grid.width, grid.height, grid.resolution_m, grid.origin});
   if (size->width == 0) {
     // An empty grid needs no position: many senders omit it then.
     if (why) grid.resolution_m = 0;
@@ -286,7 +286,7 @@ Read<Grid> readCostmap(const Field& msg) {
   grid.height = int(*height);
   grid.resolution_m = resolutionOf(info);
   grid.origin = origin.pose.flat();
-  if (const auto why = map::whyUnusable({grid.width, grid.height, grid.resolution_m, grid.origin}))
+  if (const auto why = map::unusableReason({grid.width, grid.height, grid.resolution_m, grid.origin}))
     return tl::unexpected(*why);
   if (origin.upright) grid.notes.push_back(fault::RosTurnIsZero);
   const auto needed = std::size_t(*width * *height);

@@ -39,7 +39,7 @@ struct Header {
 struct Grid {
   Header header;
   int width = 0, height = 0;       // at least 1
-  double resolution_m = 0;         // usable (map::whyUnusable)
+  double resolution_m = 0;         // usable (map::unusableReason)
   geometry::Pose2 origin;          // usable
   std::vector<std::int8_t> cells;  // row 0 = bottom, as sent; -1 unknown, 0..100
   std::vector<Fault> notes;        // what is odd about it

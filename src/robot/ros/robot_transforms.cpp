@@ -77,8 +77,8 @@ void RobotTransforms::dropLent(Tree& tree, const std::string& robot) const {
 }
 
 /// Makes room for a pair of the robot itself.
-void RobotTransforms::takeOwn(Tree& tree, const std::string& robot, const std::string& parent,
-                              const std::string& child, bool is_static) const {
+void RobotTransforms::addOwn(Tree& tree, const std::string& robot, const std::string& parent,
+                             const std::string& child, bool is_static) const {
   const std::size_t known = tree.named.size();
   tree.named.insert({parent, child});
   const auto lent = tree.lent.find(child);
@@ -120,7 +120,7 @@ Transforms::Taken RobotTransforms::take(const std::string& topic, const std::str
     }
     return taken;
   }
-  takeOwn(tree, robot, above, below, is_static);
+  addOwn(tree, robot, above, below, is_static);
   Taken taken = tree.transforms.take(above, below, transform, stamp_s, is_static);
   if (taken == Taken::Loop && !tree.lent.empty()) {
     for (const auto& [frame, of] : std::exchange(tree.lent, {})) tree.transforms.drop(frame);

@@ -64,8 +64,8 @@ class RobotTransforms {
     bool apart = false;                // both tell the same pair
   };
   Tree& treeOf(const std::string& robot);
-  void takeOwn(Tree& tree, const std::string& robot, const std::string& parent, const std::string& child,
-               bool is_static) const;
+  void addOwn(Tree& tree, const std::string& robot, const std::string& parent, const std::string& child,
+              bool is_static) const;
   void lend(Tree& tree, const std::string& robot, const std::string& parent, const std::string& child,
             const Transform3& transform, double stamp_s, bool is_static) const;
   bool isLent(const Tree& tree, const std::string& robot, const std::string& parent,

@@ -106,7 +106,7 @@ void RosDeliveries::take(const TopicMessage& message) {
           message.msg["header"]["stamp"].time(), message.received_s);
 }
 
-void RosDeliveries::takeMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {
+void RosDeliveries::onMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {
   deliver(service, kAskedMap, service, answer.frame, "values", answer.values["map"]["header"]["stamp"].time(),
           wall_s_());
 }

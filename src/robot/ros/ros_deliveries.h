@@ -27,7 +27,7 @@ class RosDeliveries {
   void pause();      // there is none: nobody can be asked
   void take(const net::rosbridge::TopicMessage& message);
   /// The map that a service gave.
-  void takeMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
+  void onMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
   /// Whoever sits there now gets the definitions of all types that were delivered: they are asked for one
   /// after the other.
   void define();

@@ -98,7 +98,7 @@ net::rosbridge::ClientOptions RosLink::clientOptions() const {
 
 void RosLink::listen() {
   using net::rosbridge::Client;
-  connect(client_.get(), &Client::changed, this, &RosLink::noteLink);
+  connect(client_.get(), &Client::changed, this, &RosLink::onLink);
   connect(client_.get(), &Client::opened, this, &RosLink::begin);
   connect(client_.get(), &Client::received, this, &RosLink::take);
   connect(client_.get(), &Client::frameReceived, this,
@@ -123,7 +123,7 @@ void RosLink::listen() {
   connect(&subscriptions_, &RosSubscriptions::recovered, this, &RosLink::recovered);
   connect(&subscriptions_, &RosSubscriptions::dropped, this, [this](const std::string& topic) {
     world_.forget(topic);
-    tellUnplacedMarkers();
+    reportUnplacedMarkers();
     forgetTrouble(topic);
     const auto& map = live_map_.last();
     if (map && map->topic == topic) live_map_.forget();
@@ -131,7 +131,7 @@ void RosLink::listen() {
   connect(&live_map_, &LiveMap::wantedChanged, this, [this] {
     if (std::exchange(selection_.whole_map, live_map_.wanted()) != live_map_.wanted()) sync();
   });
-  connect(&map_service_, &MapFromService::came, this, &RosLink::takeAskedMap);
+  connect(&map_service_, &MapFromService::came, this, &RosLink::onAskedMap);
   connect(&map_service_, &MapFromService::failed, this, [this](const std::string& service, const Fault& why) {
     note(service, map::ProblemCode::Unavailable, Fault(fault::MapServiceFailed, {service}, {why}));
   });
@@ -140,12 +140,12 @@ void RosLink::listen() {
   connect(&dispatch_, &DispatchRequests::topicsChanged, this, &RosLink::sync);
   connect(&dispatch_, &DispatchRequests::lookWanted, this, &RosLink::lookAnew);
   connect(&look_timer_, &QTimer::timeout, this, &RosLink::look);
-  connect(&pose_timer_, &QTimer::timeout, this, &RosLink::tellPose);
+  connect(&pose_timer_, &QTimer::timeout, this, &RosLink::notifyPose);
   connect(&overdue_timer_, &QTimer::timeout, this, [this] {
     WorldResults results = world_.overdue(wall());
-    tellUnplacedMarkers();
+    reportUnplacedMarkers();
     for (WorldResult& result : results) tell(std::move(result));
-    tellReception();
+    notifyReception();
   });
 }
 
@@ -165,7 +165,7 @@ void RosLink::close() {
   was_known_ = false;
   graph_ = {};
   client_->close();
-  noteLink();
+  onLink();
 }
 
 void RosLink::trust(const QByteArray& pinned_sha256) {
@@ -222,7 +222,7 @@ void RosLink::begin() {
   least_late_s_.reset();
   before_ = places_->mailbox.replaced() + world_.gaveWay();
   world_.forgetAll();
-  tellUnplacedMarkers();
+  reportUnplacedMarkers();
   kabam_.state().forget();
   live_map_.forget();
   map_service_.beginAnew();
@@ -232,7 +232,7 @@ void RosLink::begin() {
   look();
 }
 
-void RosLink::noteLink() {
+void RosLink::onLink() {
   if (!isOpen()) {
     ++round_;
     known_ = looking_ = look_again_ = awaits_manager_ = false;
@@ -290,12 +290,12 @@ void RosLink::look() {
     }
     keepUnheard(found);
     auto manager = mapManagerIn(found, options_.ns);
-    if (manager || found.services) return takeLook(std::move(found), std::move(manager));
+    if (manager || found.services) return onLook(std::move(found), std::move(manager));
     // Nobody tells: it is asked something.
     const std::string place = kabam_.there() ? kabam_.state().place() : options_.ns + "/map_manager";
     api_.probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
       if (round == round_)
-        takeLook(found, there.value_or(kabam_.there()) ? std::optional(place) : std::nullopt);
+        onLook(found, there.value_or(kabam_.there()) ? std::optional(place) : std::nullopt);
     });
   });
 }
@@ -315,7 +315,7 @@ void RosLink::keepUnheard(RosGraph& found) const {
   }
 }
 
-void RosLink::takeLook(RosGraph found, std::optional<std::string> manager) {
+void RosLink::onLook(RosGraph found, std::optional<std::string> manager) {
   looking_ = false;
   look_timer_.start(options_.look_every);
   if (!(found == graph_) || !known_) {
@@ -426,17 +426,17 @@ void RosLink::take(const TopicMessage& message) {
   if (passesRaw(message.bytes)) Q_EMIT rawReceived(rawOf(message));
   const WantedTopic* const wanted = subscriptions_.heard(message.topic);
   if (!wanted) return;
-  takeOfManager(message);
+  onManagerMessage(message);
   if (std::any_of(selection_.dispatchers_own.begin(), selection_.dispatchers_own.end(),
                   [&](const Endpoint& own) { return own.name == message.topic; }))
     note(message.topic, map::ProblemCode::Unreadable, dispatch_.hear(message.topic, message.msg));
   ++reception_.came;
   bool of_pose = false;
   const std::vector<Source> sources = wanted->sources;
-  if (!sources.empty()) noteDelay(sources.front(), message);
+  if (!sources.empty()) recordDelay(sources.front(), message);
   for (const Source& source : sources) {
     WorldResults results = world_.take(source, message.msg, message.received_s);
-    tellUnplacedMarkers();
+    reportUnplacedMarkers();
     for (WorldResult& result : results) tell(std::move(result));
     of_pose |= source.stream == map::Stream::Pose;
     if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) map_service_.heard();
@@ -448,7 +448,7 @@ void RosLink::take(const TopicMessage& message) {
 }
 
 // Clocks differ: what counts is the delay relative to the fastest message.
-void RosLink::noteDelay(const Source& source, const TopicMessage& message) {
+void RosLink::recordDelay(const Source& source, const TopicMessage& message) {
   const bool of_sensor =
       source.form == Form::LaserScan || source.form == Form::PointCloud || source.form == Form::Odometry;
   const auto stamp_s = of_sensor ? message.msg["header"]["stamp"].time() : std::nullopt;
@@ -458,7 +458,7 @@ void RosLink::noteDelay(const Source& source, const TopicMessage& message) {
   if (delay_s > *least_late_s_ + kLateS) ++reception_.late;
 }
 
-void RosLink::tellReception() {
+void RosLink::notifyReception() {
   if (reception_told_.isValid() && reception_told_.elapsed() < kReceptionEveryMs) return;
   reception_told_.start();
   Reception now = reception_;
@@ -471,7 +471,7 @@ void RosLink::tellReception() {
   Q_EMIT receptionTold(now);
 }
 
-void RosLink::tellUnplacedMarkers() {
+void RosLink::reportUnplacedMarkers() {
   if (unplaced_markers_ == world_.waitingMarkers()) return;
   unplaced_markers_ = world_.waitingMarkers();
   std::map<QString, int> told;
@@ -479,7 +479,7 @@ void RosLink::tellUnplacedMarkers() {
   Q_EMIT unplacedMarkersTold(told);
 }
 
-void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {
+void RosLink::onAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {
   const auto known = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
     return source.form == Form::MapService && source.topic == service;
   });
@@ -491,14 +491,14 @@ void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::Cal
     source.base = maps.front().topic;
   }
   note(service, map::ProblemCode::Unavailable, std::nullopt);
-  deliveries_.takeMap(service, answer);
+  deliveries_.onMap(service, answer);
   // Patches, and whoever listens to the topic, take it for what that would have brought.
   if (!source.base.empty()) source.topic = source.base;
   for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));
   if (!source.base.empty()) subscriptions_.replacedBy(source.base, service);
 }
 
-void RosLink::takeOfManager(const TopicMessage& message) {
+void RosLink::onManagerMessage(const TopicMessage& message) {
   if (!kabam_.there()) return;
   KabamState& state = kabam_.state();
   const KabamState::Update update = state.take(message.topic, message.frame, message.msg);
@@ -561,7 +561,7 @@ bool RosLink::framesComplete() const {
   return (!map_expected || world_.fixedByMap()) && (!transforms_expected || world_.posedByTransforms());
 }
 
-void RosLink::tellPose() {
+void RosLink::notifyPose() {
   if (known_since_.elapsed() < kFramesMs && !framesComplete()) {
     pose_timer_.start(std::chrono::milliseconds(kFramesMs / 20));
     return;

@@ -340,7 +340,7 @@ RobotIdentity RosRobot::identity() const {
   return identity;
 }
 
-Absence RosRobot::whyNot(Capability capability) const {
+Absence RosRobot::unavailableReason(Capability capability) const {
   const bool managers = capability == Capability::Waypoints || capability == Capability::WaypointEditing ||
                         capability == Capability::Administration;
   if (capability == Capability::PictureEditing && has_manager_)

@@ -138,7 +138,7 @@ class RosRobot : public wire::NetworkRobot, public OffersTopics {
   MapAdministration* mapAdministration() override { return has_manager_ ? &administration_ : nullptr; }
   PictureStore* pictureStore() override { return takes_pictures_ ? &picture_store_ : nullptr; }
   MapDispatch* mapDispatch() override { return has_dispatch_ ? &dispatch_ : nullptr; }
-  Absence whyNot(Capability capability) const override;
+  Absence unavailableReason(Capability capability) const override;
   void setDeliveryTap(DeliveryTap tap) override;
   std::optional<std::vector<OfferedTopic>> offered() const override;
   QStringList choicesFor(map::Stream stream) const override;

@@ -216,7 +216,7 @@ void RosSubscriptions::look() {
       askAgain(topic);
     if (!entry.told && waited > timeouts_.silent_after && !mayBeSilent(topic, entry)) silent.push_back(topic);
   }
-  for (const std::string& topic : silent) tellSilence(topic);
+  for (const std::string& topic : silent) reportSilence(topic);
 }
 
 bool RosSubscriptions::isSteady(const Subscribed& entry) {
@@ -243,7 +243,7 @@ bool RosSubscriptions::mayBeSilent(const std::string& topic, const Subscribed& e
   return false;
 }
 
-void RosSubscriptions::tellSilence(const std::string& topic) {
+void RosSubscriptions::reportSilence(const std::string& topic) {
   Subscribed& silent = topics_.at(topic);
   // Checks again: another one of the same stream may have been reported meanwhile.
   if (mayBeSilent(topic, silent)) return;

@@ -94,7 +94,7 @@ class RosSubscriptions : public QObject {
   bool mayBeSilent(const std::string& topic, const Subscribed& entry) const;
   /// It arrived repeatedly, and is of a kind that does so as long as its node runs.
   static bool isSteady(const Subscribed& entry);
-  void tellSilence(const std::string& topic);
+  void reportSilence(const std::string& topic);
   void recover(const std::string& topic, Subscribed& entry);
 
   net::rosbridge::Client& client_;

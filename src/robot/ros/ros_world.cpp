@@ -154,7 +154,7 @@ std::string RosWorld::fixedFrame() const {
   return own_frame_.empty() ? kMap : own_frame_;
 }
 
-void RosWorld::noteOwnFrame(const Source& source, WorldResult& result) {
+void RosWorld::learnOwnFrame(const Source& source, WorldResult& result) {
   if (!inOwnFrame() || source.stream != Stream::Cloud) return;
   in_own_frame_.insert(source.topic);
   result.notes.emplace_back(fault::RosFrameAlone, std::vector<FaultArgument>{own_frame_});
@@ -222,7 +222,7 @@ std::optional<RosWorld::Located> RosWorld::located() const {
   return Located{tl::make_unexpected(std::move(*why)), {}, {}};
 }
 
-void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& result) {
+void RosWorld::onTransforms(const Source& source, const Field& msg, WorldResult& result) {
   for (const TfRow& row : readTf(msg)) {
     const auto taken = transforms_.take(source.topic, row.parent, row.child, row.transform, row.stamp_s,
                                         source.form == Form::StaticTf);
@@ -252,7 +252,7 @@ void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& resul
   for (const Missing& loop : transforms_.of(source.topic).loops()) result.notes.push_back(reasonOf(loop));
 }
 
-void RosWorld::takePatch(const Source& source, const Field& msg, WorldResult& result) {
+void RosWorld::applyMapPatch(const Source& source, const Field& msg, WorldResult& result) {
   const auto grid = grids_.find(source.base);
   if (grid == grids_.end()) return;  // its grid has not arrived
   auto patch = readGridPatch(msg);
@@ -268,10 +268,10 @@ void RosWorld::takePatch(const Source& source, const Field& msg, WorldResult& re
   Source of = source;
   of.form = Form::Grid;
   of.topic = source.base;
-  takeContent(of, grid->second, result);
+  onContent(of, grid->second, result);
 }
 
-void RosWorld::takeEarlier(const Source& source, const Field& msg, double received_s) {
+void RosWorld::addEarlier(const Source& source, const Field& msg, double received_s) {
   earlier_ = true;
   (void)take(source, msg, received_s);
   earlier_ = false;
@@ -291,7 +291,7 @@ WorldResult RosWorld::take(const Source& source, const Grid& grid, double receiv
   result.received_s = received_s;
   result.recorded_s = grid.header.stamp_s;
   result.notes = grid.notes;
-  takeContent(source, grid, result);
+  onContent(source, grid, result);
   return result;
 }
 
@@ -308,12 +308,12 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       take(std::move(*read));
     }
   };
-  const auto taking = [&](auto content) { takeContent(source, std::move(content), result); };
+  const auto taking = [&](auto content) { onContent(source, std::move(content), result); };
   WorldResults results;
   switch (source.form) {
     case Form::Tf:
     case Form::StaticTf:
-      takeTf(source, msg, result);
+      onTransforms(source, msg, result);
       leaveOwnFrame(received_s, results);
       for (WorldResult& placed : placeWaiting()) results.push_back(std::move(placed));
       if (looksAtMarkers(received_s)) lookAtMarkers(received_s, results);
@@ -329,7 +329,7 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       });
       break;
     case Form::GridPatch:
-      takePatch(source, msg, result);
+      applyMapPatch(source, msg, result);
       break;
     case Form::Path:
       with(readPath(msg), taking);
@@ -451,12 +451,12 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content, 
   return planning;
 }
 
-void RosWorld::takeContent(const Source& source, Content content, WorldResult& result) {
+void RosWorld::onContent(const Source& source, Content content, WorldResult& result) {
   auto placed = place(source, content, Sweep::Whole);
   if (placed) {
     waiting_.erase(source.topic);  // older ones are useless now
     result.message = std::move(*placed);
-    noteOwnFrame(source, result);
+    learnOwnFrame(source, result);
     return;
   }
   if (!given_frame_.empty()) {
@@ -464,7 +464,7 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
     placed = place(source, content, Sweep::Beginning);
     if (placed) {
       result.message = std::move(*placed);
-      noteOwnFrame(source, result);
+      learnOwnFrame(source, result);
     } else {
       result.unplaced = reasonOf(placed.error());
     }
@@ -555,7 +555,7 @@ WorldResults RosWorld::overdue(double now_s) {
     if (placed) {
       result.recorded_s = headerOf(oldest.content).stamp_s;
       result.message = std::move(*placed);
-      noteOwnFrame(oldest.source, result);
+      learnOwnFrame(oldest.source, result);
       messages.pop_front();
       queue.since_s = now_s;
     } else {

@@ -67,7 +67,7 @@ class RosWorld {
   /// A message of `source`. Transforms may place waiting messages: several results.
   WorldResults take(const Source& source, const Field& msg, double received_s);
   /// For recordings: it was said before, and tells nothing now.
-  void takeEarlier(const Source& source, const Field& msg, double received_s);
+  void addEarlier(const Source& source, const Field& msg, double received_s);
   /// For recordings: moving frames of which nothing was heard for as long as transforms are kept are unknown.
   void forgetSilent(double now_s);
   /// A parsed grid.
@@ -131,14 +131,14 @@ class RosWorld {
   };
   using Placing = tl::expected<map::TopicMessage, Transforms::Missing>;
 
-  void takeTf(const Source& source, const Field& msg, WorldResult& result);
-  void takePatch(const Source& source, const Field& msg, WorldResult& result);
-  void takeContent(const Source& source, Content content, WorldResult& result);
+  void onTransforms(const Source& source, const Field& msg, WorldResult& result);
+  void applyMapPatch(const Source& source, const Field& msg, WorldResult& result);
+  void onContent(const Source& source, Content content, WorldResult& result);
   /// The frame of the map, or a root of the robot's frames, without the fallbacks.
   std::optional<std::string> toldFrame() const;
   bool inOwnFrame() const { return !own_frame_.empty() && fixedFrame() == own_frame_; }
   /// Like RosFramesApart, but there is no other frame.
-  void noteOwnFrame(const Source& source, WorldResult& result);
+  void learnOwnFrame(const Source& source, WorldResult& result);
   void leaveOwnFrame(double now_s, WorldResults& results);
   static const Header& headerOf(const Content& content);
   /// A scan is placed point by point once the transforms of its whole sweep are known; or with the pose at
@@ -174,7 +174,7 @@ class RosWorld {
   std::map<std::string, TopicPose> topic_poses_;  // by topic
   /// Of moving frames, by robot and name, in recordings: when it was heard of them last.
   std::map<std::pair<std::string, std::string>, double> heard_s_;
-  bool earlier_ = false;  // takeEarlier()
+  bool earlier_ = false;  // addEarlier()
   SeenMarkers markers_;
   double markers_looked_s_ = 0;
   std::size_t gave_way_ = 0;

@@ -39,9 +39,9 @@ NetworkRobot::NetworkRobot(QString address, RobotLink* link, std::unique_ptr<QTh
   connect(link_, &RobotLink::silenceChanged, this, [this](const QDateTime& since) {
     if (std::exchange(silent_since_, since) != since) Q_EMIT connectionChanged();
   });
-  connect(link_, &RobotLink::stateChanged, this, &NetworkRobot::takeState);
-  connect(link_, &RobotLink::topicReceived, this, &NetworkRobot::takeTopic);
-  connect(link_, &RobotLink::mailArrived, this, &NetworkRobot::takeMail);
+  connect(link_, &RobotLink::stateChanged, this, &NetworkRobot::onState);
+  connect(link_, &RobotLink::topicReceived, this, &NetworkRobot::onTopic);
+  connect(link_, &RobotLink::mailArrived, this, &NetworkRobot::onMail);
   connect(link_, &RobotLink::rawReceived, this, &Robot::rawReceived);
   connect(link_, &RobotLink::problemFound, this, [this](map::Problem problem) {
     link_->unsaid().hideIn(problem);
@@ -67,9 +67,9 @@ void NetworkRobot::trustCertificate(const QString& sha256) {
   QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
 }
 
-void NetworkRobot::takeTopic(const map::StampedMessage& message) { Q_EMIT topicReceived(message); }
+void NetworkRobot::onTopic(const map::StampedMessage& message) { Q_EMIT topicReceived(message); }
 
-void NetworkRobot::takeState(ConnectionState state) {
+void NetworkRobot::onState(ConnectionState state) {
   link_->unsaid().hideIn(state);
   if (state == state_) return;
   const bool online = state.phase == ConnectionPhase::Online && state_.phase != ConnectionPhase::Online;
@@ -79,7 +79,7 @@ void NetworkRobot::takeState(ConnectionState state) {
   if (alive && online) cameOnline();
 }
 
-void NetworkRobot::takeMail() {
+void NetworkRobot::onMail() {
   const QPointer<NetworkRobot> alive(this);
   for (const map::StampedMessage& message : places_->mailbox.take()) {
     if (alive) Q_EMIT topicReceived(message);

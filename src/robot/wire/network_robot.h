@@ -49,15 +49,15 @@ class NetworkRobot : public Robot, public Delivers {
   /// The first thing that the destructor of a robot does: its capabilities outlive the thread of the link.
   void stopLink();
   /// A message that did not come by mail.
-  virtual void takeTopic(const map::StampedMessage& message);
+  virtual void onTopic(const map::StampedMessage& message);
   /// It is online, after connectionChanged() has told so.
   virtual void cameOnline() {}
 
   const std::shared_ptr<Places> places_;
 
  private:
-  void takeState(ConnectionState state);
-  void takeMail();
+  void onState(ConnectionState state);
+  void onMail();
 
   QString address_;
   std::unique_ptr<QThread> thread_;

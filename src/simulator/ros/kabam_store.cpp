@@ -370,7 +370,7 @@ Value KabamStore::response(WaypointResult result, Value waypoint) {
   return Value::Object{{"result", static_cast<int>(result)}, {"waypoint_response", std::move(waypoint)}};
 }
 
-void KabamStore::takeTags(KabamWaypoint& waypoint, const Value& info) const {
+void KabamStore::readTags(KabamWaypoint& waypoint, const Value& info) const {
   const auto* tags = info["waypoint_tags"].as<Value::List>();
   if (tags == nullptr || (tags->empty() && options_.kabam_empty_tags_keep)) return;
   waypoint.tags.clear();
@@ -385,7 +385,7 @@ Value KabamStore::createWaypoint(const Value& request) {
   if (name.empty() || map->waypoints.size() >= kMostWaypoints) return response(WaypointResult::Failed);
   if (isTaken(*map, name)) return response(WaypointResult::NameExists);
   KabamWaypoint waypoint{name, newId(), info["frame_id"].text(), info["pose"], {}};
-  takeTags(waypoint, info);
+  readTags(waypoint, info);
   map->waypoints.push_back(std::move(waypoint));
   touch(*map);
   ++edits_.waypoints;
@@ -426,7 +426,7 @@ Value KabamStore::renameWaypoint(const Value& request) {
     if (name.empty()) return WaypointResult::Failed;
     if (isTaken(map, name, &waypoint)) return WaypointResult::NameExists;
     waypoint.name = name;
-    takeTags(waypoint, info);
+    readTags(waypoint, info);
     return WaypointResult::Updated;
   });
 }
@@ -436,7 +436,7 @@ Value KabamStore::repositionWaypoint(const Value& request) {
     const Value& info = request["waypoint_info"];
     waypoint.frame_id = info["frame_id"].text();
     waypoint.pose = info["pose"];
-    takeTags(waypoint, info);
+    readTags(waypoint, info);
     return WaypointResult::Updated;
   });
 }

@@ -107,7 +107,7 @@ class KabamStore {
   KabamMap* mapOf(std::string_view id);
   bool isMapping() const { return state_ == ManagerState::Mapping; }
   PictureSpec mappedUntil(double time_s) const;
-  void takeTags(KabamWaypoint& waypoint, const Value& info) const;
+  void readTags(KabamWaypoint& waypoint, const Value& info) const;
   void touch(KabamMap& map);
   void setImage(KabamMap& map, GrayPicture image);
   KabamWaypoint waypointAt(const KabamMap& map, double metres, std::string name,

@@ -81,7 +81,7 @@ class Bench {
     }
     make();
     if (adapter == Adapter::Kabam) findCurrentMap();
-    takePicture();
+    checkPicture();
   }
 
   /// It tells by itself what it is asked for, so much is at hand without a question.
@@ -269,7 +269,7 @@ class Bench {
     (void)QTest::qWaitFor([&] { return told; }, 30'000);
   }
 
-  void takePicture() {
+  void checkPicture() {
     if (!robot->pictureStore()) return;
     bool told = false;
     robot->wholeMapSource()->fetch(key, [&](const Outcome<map::WholeMap>& map) {

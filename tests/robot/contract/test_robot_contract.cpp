@@ -325,7 +325,7 @@ class RobotContractTest : public QObject {
         {Capability::MapTransfer, robot.mapTransfer() != nullptr}};
     for (const auto& [capability, there] : all) {
       if (there) continue;
-      const QString why = sentences::whyAbsent(capability, robot.whyNot(capability));
+      const QString why = sentences::absenceReason(capability, robot.unavailableReason(capability));
       QVERIFY2(why.endsWith(QLatin1Char('.')), qPrintable(why));
       QVERIFY(!why.contains(QLatin1String("%1")));
     }
