@@ -404,7 +404,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
   if (!written.remark.isEmpty()) (*robot)->note(written.remark);
-  if (!printed && !isStandardOutput(text(args.report))) {
+  if (!printed) {
     const map::GridReference& grid = placed->reference;
     printLine(Text::tr("%1: %2 x %3 cells of %4 m")
                   .arg(oneLine(output), QString::number(grid.width), QString::number(grid.height),
@@ -448,8 +448,7 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   }
   const auto diff = diffMaps(maps[0], maps[1], picture);
   if (!diff) return wrong(diff.error());
-  if (isStandardOutput(picture) || isStandardOutput(text(args.report)))
-    return diff->same() ? kDone : kIncomplete;
+  if (isStandardOutput(picture)) return diff->same() ? kDone : kIncomplete;
   using render::Difference;
   const auto cells = [&](Difference what) { return qint64(diff->cells[std::size_t(what)]); };
   const std::vector<std::pair<const char*, Difference>> kinds{

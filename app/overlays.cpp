@@ -137,7 +137,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
         Text::tr("Its overlays cannot be read. %1").arg(sentences::sentenceOf(document.error()))));
     return kIncomplete;
   }
-  if (printed || isStandardOutput(text(args.report))) return kDone;
+  if (printed) return kDone;
   const auto count = qint64(document->features().size());
   printLine(QStringLiteral("%1: %2").arg(
       oneLine(output),
@@ -187,7 +187,7 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
   }
   if (args.json) printJson(json);
   if (!outcome) return failureOf(*of, outcome.error());
-  const bool quiet = args.json || isStandardOutput(output) || isStandardOutput(text(args.report));
+  const bool quiet = args.json || isStandardOutput(output);
   if (!quiet) {
     const auto held = OverlayDocument::read(outcome->before.text);
     printChanges(outcome->merge.mine, order.base ? *order.base : held.value_or(OverlayDocument()),

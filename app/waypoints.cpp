@@ -109,7 +109,7 @@ CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArgumen
           : exchange::waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
   if (const auto trouble = disk::writeFile(args.output, bytes))
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
-  if (!isStandardOutput(output) && !isStandardOutput(text(args.report))) {
+  if (!isStandardOutput(output)) {
     const auto count = qint64(list->stored.points.size());
     printLine(QStringLiteral("%1: %2").arg(
         oneLine(output),
@@ -193,18 +193,17 @@ CommandResult<int> change(RobotCommand& command, const WaypointsArguments& args,
   if (args.dry_run) {
     const exchange::MergedEdits together = exchange::merged(*edits, exchange::itemsOf(list->stored.points));
     command.report(QStringLiteral("waypoints"), previewReport(*list, together));
-    if (!isStandardOutput(text(args.report))) printPreview(*list, together, args.json);
+    printPreview(*list, together, args.json);
     return kDone;
   }
   const auto sent = sendWaypoints(*list, *edits, args.go_on ? AtFailure::GoOn : AtFailure::Stop);
   if (!sent) return passOn(sent);
   command.report(QStringLiteral("waypoints"), sentReport(*sent, list->mapId()));
-  const bool taken = isStandardOutput(text(args.report));  // nothing else is printed there
   if (sent->complete()) {
-    if (!taken) printChanged(*sent, *edits, *list, args);
+    printChanged(*sent, *edits, *list, args);
     return kDone;
   }
-  if (edits->size() > 1 && !taken) args.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
+  if (edits->size() > 1) args.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
   const bool of_the_request =
       edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().outcome.failure;
   return list->robot->failure(of_the_request
@@ -294,19 +293,18 @@ CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent
 CommandResult<int> carryOut(RobotCommand& command, const ListedWaypoints& list,
                             const std::vector<exchange::WaypointEdit>& edits,
                             const WaypointsArguments& args) {
-  const bool taken = isStandardOutput(text(args.report));  // nothing else is printed there
   if (args.dry_run) {
     const exchange::MergedEdits together = exchange::merged(edits, exchange::itemsOf(list.stored.points));
     command.report(QStringLiteral("waypoints"), previewReport(list, together));
-    if (!taken) printPreview(list, together, args.json);
+    printPreview(list, together, args.json);
     if (together.conflicts.empty()) return kDone;
     return notAll(list, SentWaypoints{{}, together.conflicts, {}, {}});
   }
   const auto sent = sendWaypoints(list, edits, args.go_on ? AtFailure::GoOn : AtFailure::Stop);
   if (!sent) return passOn(sent);
   command.report(QStringLiteral("waypoints"), sentReport(*sent, list.mapId()));
-  if (!taken) args.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
-  if (!taken && !args.json && sent->steps.empty() && sent->conflicts.empty())
+  args.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
+  if (!args.json && sent->steps.empty() && sent->conflicts.empty())
     printLine(Text::tr("There is nothing to change."));
   if (sent->complete()) return kDone;
   return notAll(list, *sent);
@@ -380,10 +378,9 @@ CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments
     if (const auto trouble = disk::writeFile(args.output, bytes.toStdString()))
       return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   }
-  const bool taken = isStandardOutput(output) || isStandardOutput(text(args.report));
   const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);
   command.report(QStringLiteral("waypoints"), previewReport(*list, {*edits, {}}, doubts));
-  if (!taken) printPreview(*list, {*edits, {}}, args.json, doubts);
+  if (!isStandardOutput(output)) printPreview(*list, {*edits, {}}, args.json, doubts);
   return kDone;
 }
 
