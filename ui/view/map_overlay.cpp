@@ -64,7 +64,9 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
 }
 
 void MapOverlay::setHint(const QString& text) {
-  hint_->setText(words::plainText(text));
+  const QString plain = words::plainText(text);
+  if (plain == hint_->text() && text.isEmpty() == hint_frame_->isHidden()) return;
+  hint_->setText(plain);
   hint_frame_->setVisible(!text.isEmpty());
   place();
 }
