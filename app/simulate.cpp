@@ -146,9 +146,9 @@ void SimulateOptions::addFaults() {
          tr("Only writes to paths that begin with this fail, for example /maps/"));
   rate("--cut-downloads", f.cut_downloads, tr("Share of .pbstream downloads that break off half-way"));
   number("--overlay-edit-every", f.overlay_edit_every_s, 0, 86'400,
-         tr("Somebody else changes the overlays of the current map every so many seconds"));
+         tr("Someone else changes the overlays of the current map every so many seconds"));
   flag("--overlay-edit-before-writes", f.overlay_edit_before_writes,
-       tr("Somebody else changes the overlays right before each change of them"));
+       tr("Someone else changes the overlays right before each change of them"));
   number("--map-latency-ms", f.map_latency_ms, 0, 600'000, tr("Delay of every response about maps"));
   flag("--truncated-maps", f.truncated_maps, tr("Cut off every map's PNG half-way"));
   flag("--lying-map-size", f.lying_map_size, tr("Every map's PNG declares 60,000 x 60,000 pixels"));

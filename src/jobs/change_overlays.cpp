@@ -200,23 +200,21 @@ QString doubtOf(const OverlayOutcome& outcome) {
   QStringList sentences;
   if (outcome.between == Between::Somebody) {
     sentences << OverlaysText::tr(
-                     "Somebody else changed the overlays between the look and the request: their version "
-                     "went from %1 to %2.")
+                     "Someone else changed the overlays while they were being saved (version %1, then %2).")
                      .arg(*outcome.before.version)
                      .arg(*outcome.held.version);
-    if (outcome.differs.empty())
-      sentences << OverlaysText::tr("What the others changed was overwritten, and cannot be seen any more.");
+    if (outcome.differs.empty()) sentences << OverlaysText::tr("Their changes were overwritten.");
   } else if (outcome.between == Between::Unknown) {
     sentences << OverlaysText::tr(
-        "The robot does not count the versions of its overlays, so somebody else may have changed them "
-        "meanwhile.");
+        "The robot does not count versions of its overlays, so someone else may have changed them at the "
+        "same time.");
   }
   if (!outcome.differs.empty()) {
-    sentences << OverlaysText::tr("The robot holds something else than was sent (%1).")
+    sentences << OverlaysText::tr("The robot has something other than what was sent (%1).")
                      .arg(sentences::featuresCalled(outcome.differs));
     if (outcome.held.version && outcome.held.version == outcome.before.version)
       sentences << OverlaysText::tr(
-          "It counts no change yet, and may still make it: look again in a moment.");
+          "It has not counted a change yet and may still make it. Check again in a moment.");
   }
   return sentences.join(QLatin1Char(' '));
 }

@@ -24,7 +24,7 @@ QString degrees(double rad) { return words::fixed(geometry::degreesFromRadians(r
 
 }  // namespace
 
-QString beliefMoves() {
+QString poseWarning() {
   return SetPoseText::tr(
       "Setting a map or a pose tells the robot where it is. If it is wrong, the robot drives into things.");
 }

@@ -9,7 +9,7 @@
 namespace mapwright::jobs {
 
 /// What happens when a map or a pose is set, to be said before.
-QString beliefMoves();
+QString poseWarning();
 /// Why this pose is not sent at all; empty if it is valid.
 QString noPoseReason(const geometry::Pose2& pose);
 

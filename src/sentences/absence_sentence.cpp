@@ -46,7 +46,7 @@ constexpr Lack kLacks[] = {
      QT_TRANSLATE_NOOP("Absence",
                        "This robot does not send parts of its map: no regions, no clouds, no projections.")},
     {Capability::Localization,
-     QT_TRANSLATE_NOOP("Absence", "This robot cannot be told from here where it is.")},
+     QT_TRANSLATE_NOOP("Absence", "The position of this robot cannot be set from here.")},
     {Capability::MapTransfer,
      QT_TRANSLATE_NOOP("Absence",
                        "The maps of this robot cannot be downloaded whole, and none can be added.")},

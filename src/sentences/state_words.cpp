@@ -108,7 +108,7 @@ QString qualityWord(int quality) {
 }
 
 QString plannerWord(const std::string& move_state) {
-  if (move_state.empty()) return StateText::tr("its state is not told");
+  if (move_state.empty()) return StateText::tr("state unknown");
   if (move_state == "none" || move_state == "idle") return StateText::tr("idle");
   if (move_state == "moving") return StateText::tr("driving to its target");
   if (move_state == "succeeded") return StateText::tr("arrived");

@@ -189,7 +189,7 @@ class OverlaysCommandTest : public QObject {
     const Ended between = run("set mine.geojson --base base.geojson");
     QCOMPARE(between.code, 1);
     QVERIFY2(between.err.contains(
-                 QStringLiteral("Somebody else changed the overlays between the look and the request")) &&
+                 QStringLiteral("Someone else changed the overlays while they were being saved")) &&
                  between.err.contains(QStringLiteral("overwritten")),
              qPrintable(between.err));
     QVERIFY(held().contains("\"Lader\"") && !held().contains("Somebody"));
@@ -202,7 +202,7 @@ class OverlaysCommandTest : public QObject {
     program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
     const Ended ignored = run("set mine.geojson --base base.geojson --json");
     QCOMPARE(ignored.code, 1);
-    QVERIFY2(ignored.err.contains(QStringLiteral("holds something else than was sent")),
+    QVERIFY2(ignored.err.contains(QStringLiteral("has something other than what was sent")),
              qPrintable(ignored.err));
     QCOMPARE(ignored.object()[QStringLiteral("applied")], QJsonValue(false));
     // It may do it a moment later.

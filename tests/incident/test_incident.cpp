@@ -186,7 +186,7 @@ class IncidentTest : public QObject {
     run.live.planning = map::PlanningState{};
     run.live.planning->targets = {{1, 2, 0}};
     const QString html = htmlOf({run, {}, {}, false});
-    QVERIFY(html.contains(QLatin1String("its state is not told")) && !html.contains(QLatin1String("idle")));
+    QVERIFY(html.contains(QLatin1String("state unknown")) && !html.contains(QLatin1String("idle")));
     QVERIFY(html.contains(QLatin1String("Planner: the bag does not tell its state")));
   }
 

@@ -55,7 +55,7 @@ class TestWindowOverlayHistory : public QObject {
     desk.show();
     QTRY_COMPARE(desk.past().table()->rowCount(), 2);
     QTRY_COMPARE(desk.cell(0, 3), QStringLiteral("Move virtual wall W17 by 0.40 m"));
-    QTRY_COMPARE(desk.cell(1, 3), QStringLiteral("The first that is kept: 3 features"));
+    QTRY_COMPARE(desk.cell(1, 3), QStringLiteral("First version stored here: 3 features"));
     QCOMPARE(desk.cell(0, 1), QStringLiteral("read"));
     desk.look();
     desk.drag(desk.px(2, 0.4), desk.px(2, 1.4));
@@ -85,7 +85,7 @@ class TestWindowOverlayHistory : public QObject {
     QTRY_COMPARE(desk.changes().size(), 4);
     QVERIFY(desk.changes().contains(QStringLiteral("Delete virtual wall W17")));
     QVERIFY(desk.control().marks().shown()[0].kind == OverlayMark::Kind::Removed);
-    QVERIFY(!desk.past().bringBackButton()->isEnabled());
+    QVERIFY(!desk.past().restoreButton()->isEnabled());
     // Hidden, it draws nothing.
     desk.past().close();
     QVERIFY(desk.control().marks().shown().empty());
@@ -102,8 +102,8 @@ class TestWindowOverlayHistory : public QObject {
     desk.past().againstChoice()->setFocus();
     QTest::keyClick(desk.past().againstChoice(), Qt::Key_Down);
     QTRY_COMPARE(desk.changes(), QStringList{QStringLiteral("Move virtual wall W17 by 0.40 m")});
-    QTRY_VERIFY(desk.past().bringBackButton()->isEnabled());
-    QTest::mouseClick(desk.past().bringBackButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.past().restoreButton()->isEnabled());
+    QTest::mouseClick(desk.past().restoreButton(), Qt::LeftButton);
     QTRY_COMPARE(desk.coordinates(0), std::string("[[0.00,0],[4,0]]"));
     QVERIFY(desk.control().unsaved());
     QCOMPARE(desk.document().steps(), std::size_t(1));
@@ -124,8 +124,8 @@ class TestWindowOverlayHistory : public QObject {
     desk.show();
     QTRY_COMPARE(desk.past().table()->rowCount(), 2);
     desk.pick(1);
-    QTRY_VERIFY(desk.past().bringBackButton()->isEnabled());
-    QTest::mouseClick(desk.past().bringBackButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.past().restoreButton()->isEnabled());
+    QTest::mouseClick(desk.past().restoreButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.control().unsaved());
     QCOMPARE(desk.document().mine().text(), std::string(kOverlays));
   }
@@ -139,8 +139,8 @@ class TestWindowOverlayHistory : public QObject {
     desk.editing().removeSelected();
     QVERIFY(!desk.editing().find(0));
     desk.pick(0);
-    QTRY_VERIFY(desk.past().bringBackButton()->isEnabled());
-    QTest::mouseClick(desk.past().bringBackButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.past().restoreButton()->isEnabled());
+    QTest::mouseClick(desk.past().restoreButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.editing().find(0));
     QVERIFY(!desk.control().unsaved());
     QCOMPARE(desk.document().size(), std::size_t(3));
@@ -167,7 +167,7 @@ class TestWindowOverlayHistory : public QObject {
     QVERIFY(desk.past().mapChoice()->currentText().contains(QStringLiteral("127.0.0.1")));
     desk.pick(0);
     QTRY_COMPARE(desk.changes(), QStringList{QStringLiteral("Move virtual wall W17 by 0.40 m")});
-    QVERIFY(!desk.past().bringBackButton()->isEnabled() && desk.past().saveAsButton()->isEnabled());
+    QVERIFY(!desk.past().restoreButton()->isEnabled() && desk.past().saveAsButton()->isEnabled());
   }
 
   void aVersionThatCannotBeKeptIsSaid() {

@@ -581,7 +581,7 @@ class TestWindowOverlays : public QObject {
     desk.sim.setFaults({});
     QVERIFY(!desk.sim.start());
     desk.window->session()->retryNow();
-    QTRY_VERIFY2(desk.says(applied ? "The robot holds the overlays as they are here."
+    QTRY_VERIFY2(desk.says(applied ? "The robot already has these overlays."
                                    : "were not saved: the robot does not hold them"),
                  qPrintable(desk.toasts().join(QLatin1Char('|'))));
     QCOMPARE(desk.control().unsaved(), !applied);

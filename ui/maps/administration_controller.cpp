@@ -92,7 +92,7 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
                          .arg(name, present)
                    : ChangeDialog::tr("The robot will switch to %1. Its current task may be aborted.")
                          .arg(name)) +
-              QLatin1Char(' ') + jobs::beliefMoves(),
+              QLatin1Char(' ') + jobs::poseWarning(),
           ChangeDialog::tr("Load"), ChangeDialog::tr("The robot now uses %1."));
       question.ends_something = true;
       break;

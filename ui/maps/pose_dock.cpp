@@ -18,7 +18,7 @@ namespace mapwright::window {
 
 PoseDock::PoseDock(QWidget* parent)
     : QDockWidget(tr("Robot's pose"), parent),
-      warning_(wrappedLabel(jobs::beliefMoves(), this)),
+      warning_(wrappedLabel(jobs::poseWarning(), this)),
       outcome_(textLabel({}, this)),
       present_(new PlainLabel(this)),
       adjust_(new QCheckBox(tr("The robot may &adjust it"), this)),
@@ -132,7 +132,7 @@ void PoseDock::allowAll() {
   reject_->setVisible(confirmable_);
   confirm_->setEnabled(may);
   cancel_->setVisible(waiting_);
-  warning_->setText(obstacle_.isEmpty() ? jobs::beliefMoves() : obstacle_);
+  warning_->setText(obstacle_.isEmpty() ? jobs::poseWarning() : obstacle_);
 }
 
 bool PoseDock::adjusts() const { return adjust_->isChecked(); }

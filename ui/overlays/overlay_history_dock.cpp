@@ -83,7 +83,7 @@ OverlayHistoryDock::OverlayHistoryDock(OverlayHistory* history, const scene::Map
       about_(wrappedLabel({}, this)),
       status_(wrappedLabel({}, this)),
       trouble_(wrappedLabel({}, this)),
-      bring_back_(compactButton(tr("Bring back"), this)),
+      restore_(compactButton(tr("Restore this version"), this)),
       save_as_(compactButton(tr("Save as…"), this, tr("Writes this version to a GeoJSON file"))) {
   setObjectName(QStringLiteral("overlayHistory"));
   map_->setAccessibleName(tr("Map whose versions are listed"));
@@ -130,7 +130,7 @@ OverlayHistoryDock::OverlayHistoryDock(OverlayHistory* history, const scene::Map
   split->setChildrenCollapsible(false);
   auto* const whole = new QWidget(this);
   auto* const column = columnOf({trouble_, {split, 1}}, 0, QMargins());
-  column->addLayout(rowOf({save_as_, LayoutItem::rest(), bring_back_}, 6, QMargins(8, 4, 8, 4)));
+  column->addLayout(rowOf({save_as_, LayoutItem::rest(), restore_}, 6, QMargins(8, 4, 8, 4)));
   whole->setLayout(column);
   whole->setMinimumWidth(240);
   setWidget(whole);
@@ -152,11 +152,11 @@ OverlayHistoryDock::OverlayHistoryDock(OverlayHistory* history, const scene::Map
   };
   connect(changes_, &QListWidget::itemClicked, this, go_to);
   connect(changes_, &QListWidget::itemActivated, this, go_to);
-  connect(bring_back_, &QPushButton::clicked, this, [this] {
+  connect(restore_, &QPushButton::clicked, this, [this] {
     fetch([this](const KeptVersion& version, std::string text) {
       const auto document = OverlayDocument::read(std::move(text));
       if (!document) return say(sentences::sentenceOf(document.error()));
-      Q_EMIT bringBackWanted(*document, called(version));
+      Q_EMIT restoreVersionWanted(*document, called(version));
     });
   });
   connect(save_as_, &QPushButton::clicked, this, [this] {
@@ -309,7 +309,7 @@ void OverlayHistoryDock::summarize(std::size_t from) {
         sentences << tr("It cannot be read. %1").arg(sentences::sentenceOf(read[i].error()));
       } else if (i + 1 == read.size()) {
         sentences
-            << tr("The first that is kept: %1").arg(featuresText(qsizetype(read[i]->features().size())));
+            << tr("First version stored here: %1").arg(featuresText(qsizetype(read[i]->features().size())));
       } else if (!read[i + 1]) {
         sentences << tr("The version before it cannot be read.");
       } else {
@@ -419,12 +419,11 @@ QString OverlayHistoryDock::notBackReason() const {
 
 void OverlayHistoryDock::refresh() {
   const QString unavailable_reason = notBackReason();
-  bring_back_->setEnabled(unavailable_reason.isEmpty());
-  bring_back_->setToolTip(
-      unavailable_reason.isEmpty()
-          ? tr("Makes the open overlays what they were then: one step that can be undone. "
-               "Nothing is sent before the review")
-          : unavailable_reason);
+  restore_->setEnabled(unavailable_reason.isEmpty());
+  restore_->setToolTip(unavailable_reason.isEmpty()
+                           ? tr("Makes the open overlays what they were then: one step that can be undone. "
+                                "Nothing is sent before the review")
+                           : unavailable_reason);
   const std::size_t selected = rowsSelected().size();
   save_as_->setEnabled(selected == 1);
   against_->setEnabled(selected < 2);

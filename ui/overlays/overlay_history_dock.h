@@ -47,7 +47,7 @@ class OverlayHistoryDock : public QDockWidget {
   QTableWidget* table() const { return table_; }
   QComboBox* againstChoice() const { return against_; }
   QListWidget* changeList() const { return changes_; }
-  QPushButton* bringBackButton() const { return bring_back_; }
+  QPushButton* restoreButton() const { return restore_; }
   QPushButton* saveAsButton() const { return save_as_; }
   QString statusShown() const;
   QString troubleShown() const;
@@ -55,7 +55,7 @@ class OverlayHistoryDock : public QDockWidget {
  Q_SIGNALS:
   void areaWanted(const mapwright::geometry::WorldRect& area);
   /// `called`: "version 3 of today 10:15".
-  void bringBackWanted(const mapwright::overlays::OverlayDocument& version, const QString& called);
+  void restoreVersionWanted(const mapwright::overlays::OverlayDocument& version, const QString& called);
   void saveAsWanted(const QString& suggested, const std::string& text);
 
  protected:
@@ -93,7 +93,7 @@ class OverlayHistoryDock : public QDockWidget {
   QTableWidget* table_;
   QListWidget* changes_;
   QLabel *about_, *status_, *trouble_;
-  QPushButton *bring_back_, *save_as_;
+  QPushButton *restore_, *save_as_;
   std::vector<Told> told_;
   quint64 listed_ = 0, filled_ = 0, compared_ = 0;  // answers to earlier questions are ignored
   bool filling_ = false, read_ = false;

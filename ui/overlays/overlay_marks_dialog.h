@@ -15,7 +15,7 @@ namespace mapwright::window {
 class OverlayMarksDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `note`: a sentence about what could not be had; empty = none.
+  /// `note`: a sentence about what could not be loaded; empty = none.
   OverlayMarksDialog(std::vector<overlays::MarkOffer> offers, const QString& note, QWidget* parent = nullptr);
 
   QTableWidget* table() const { return table_; }

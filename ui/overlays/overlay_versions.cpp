@@ -35,7 +35,8 @@ void OverlaysController::addHistory() {
   });
   connect(history_dock_, &OverlayHistoryDock::areaWanted, this,
           [this](const geometry::WorldRect& area) { context_.view.fit(area.grown(kAroundChangeM), true); });
-  connect(history_dock_, &OverlayHistoryDock::bringBackWanted, this, &OverlaysController::bringBack);
+  connect(history_dock_, &OverlayHistoryDock::restoreVersionWanted, this,
+          &OverlaysController::restoreVersion);
   connect(history_dock_, &OverlayHistoryDock::saveAsWanted, this, &OverlaysController::saveVersion);
   connect(&history_, &OverlayHistory::troubleChanged, this, [this] {
     if (!history_.trouble().any()) return;
@@ -50,7 +51,7 @@ history::MapName OverlaysController::openMap() const {
                           held_.map_name);
 }
 
-void OverlaysController::bringBack(const overlays::OverlayDocument& version, const QString& called) {
+void OverlaysController::restoreVersion(const overlays::OverlayDocument& version, const QString& called) {
   if (!editing_.editable()) return;
   editing_.become(version, tr("bring back %1").arg(called));
   context_.panels.open(dock_);

@@ -297,8 +297,9 @@ void OverlaysController::rebase(const OverlayDocument& held) {
   editing_.rebase(held);
   const std::size_t now = document.changedThere().size();
   if (now > before)
-    context_.overlay.toasts()->add(Mark::Warning, tr("Somebody else changed overlays of %1: %2.")
-                                                      .arg(mapName(), featuresText(qsizetype(now - before))));
+    context_.overlay.toasts()->add(
+        Mark::Warning,
+        tr("Someone else changed overlays of %1: %2.").arg(mapName(), featuresText(qsizetype(now - before))));
 }
 
 void OverlaysController::setBusy(bool busy) {
@@ -423,7 +424,7 @@ void OverlaysController::onOutcome(const robot::Outcome<jobs::OverlayOutcome>& o
 }
 
 void OverlaysController::reportHeld() {
-  reportSaving(Mark::Good, tr("The robot holds the overlays as they are here."));
+  reportSaving(Mark::Good, tr("The robot already has these overlays."));
   onAllSaved();
 }
 

@@ -121,7 +121,7 @@ class OverlaysController : public EditorController {
   QString mapName() const;
   void addHistory();
   history::MapName openMap() const;
-  void bringBack(const overlays::OverlayDocument& version, const QString& called);
+  void restoreVersion(const overlays::OverlayDocument& version, const QString& called);
   void saveVersion(const QString& suggested, const std::string& text);
 
   OverlayEditing editing_;
