@@ -108,6 +108,8 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
                                                .subject = map::subjectOf(key),
                                                .reason = map::FailureReason::Unfit,
                                                .cause = {robot::ros::fault::OnlyCurrentMapSent}}));
+      } else if (pictures.contains(key.id)) {
+        reply(pictures.at(key.id));
       } else if (map_error.empty()) {
         reply(wholeMap(key, "Map " + key.id, 80, 60));
       } else {
@@ -119,7 +121,8 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
 
   std::vector<map::CatalogueEntry> entries;
   std::string list_error, map_error;
-  std::set<std::string> without_picture;  // ids of maps of which none is sent
+  std::set<std::string> without_picture;          // ids of maps of which none is sent
+  std::map<std::string, map::WholeMap> pictures;  // by id, in place of the usual one
   std::vector<map::MapKey> opened;
 };
 
@@ -151,6 +154,7 @@ class FakeRobot : public robot::Robot,
   robot::WholeMapSource* wholeMapSource() override { return has_catalogue ? &maps : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_live ? this : nullptr; }
   robot::PictureStore* pictureStore() override { return picture_store; }
+  robot::OverlayStore* overlayStore() override { return overlay_store; }
   robot::Absence unavailableReason(robot::Capability capability) const override {
     const bool limited = capability == robot::Capability::Administration && !read_only_maker.isEmpty();
     if (!limited) return {};
@@ -199,13 +203,13 @@ class FakeRobot : public robot::Robot,
     map::SubmapAnswer cancelled;
     cancelled.key = key;
     cancelled.outcome = map::SubmapAnswer::Outcome::Cancelled;
-    QTimer::singleShot(0, this, [reply = mergeHeld(key), cancelled] {
+    QTimer::singleShot(0, this, [reply = removeHeld(key), cancelled] {
       if (reply) reply(cancelled);
     });
   }
   /// Answers what is held of `key`, once.
   void release(const map::SubmapKey& key, const map::SubmapAnswer& with) {
-    if (const Reply reply = mergeHeld(key)) reply(with);
+    if (const Reply reply = removeHeld(key)) reply(with);
   }
 
   map::SubmapAnswer answer(const map::SubmapKey& key) const {
@@ -271,6 +275,7 @@ class FakeRobot : public robot::Robot,
   robot::MapTransfer* transferring = nullptr;          // likewise
   robot::WaypointStore* waypoint_store = nullptr;      // not owned
   robot::PictureStore* picture_store = nullptr;        // not owned
+  robot::OverlayStore* overlay_store = nullptr;        // not owned
   const map::WaypointList* told_waypoints = nullptr;   // those that can only be read; not owned
   FakeMaps maps;
   QStringList wanted, trusted, trusted_beside;
@@ -284,7 +289,7 @@ class FakeRobot : public robot::Robot,
   robot::RobotIdentity who;
 
  private:
-  Reply mergeHeld(const map::SubmapKey& key) {
+  Reply removeHeld(const map::SubmapKey& key) {
     const auto found =
         std::find_if(held.begin(), held.end(), [&](const auto& one) { return one.first == key; });
     if (found == held.end()) return {};
