@@ -245,7 +245,7 @@ class BagReportTest : public QObject {
     const QString other = recording("drive.mcap", {});
     const auto lost = report({file, QStringLiteral("--at"), at(50), QStringLiteral("--against"), other,
                               QStringLiteral("-o"), QStringLiteral("-")});
-    QVERIFY2(lost.code == 2 && lost.err.contains(QLatin1String("Name its time")), qPrintable(lost.err));
+    QVERIFY2(lost.code == 2 && lost.err.contains(QLatin1String("Give its time")), qPrintable(lost.err));
     const auto named = report({file, QStringLiteral("--at"), at(50), QStringLiteral("--against"),
                                other + QLatin1Char('@') + at(20), QStringLiteral("-o"), QStringLiteral("-")});
     QVERIFY2(named.code == 0, qPrintable(named.err));

@@ -83,7 +83,7 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(held(), program_->bytes("mine.geojson"));
     QCOMPARE(changes(), 1);
     const Ended nothing = run("set mine.geojson --base base.geojson");
-    QCOMPARE(nothing.code, 0);
+    QVERIFY2(nothing.code == 0, qPrintable(nothing.err));
     QCOMPARE(changes(), 1);
   }
 

@@ -175,7 +175,7 @@ class TestWindowParts : public QObject {
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),
              words("layoutOperate layoutInspect layoutReplay"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
-             QStringLiteral("palette shortcuts - diagnostics about"));
+             QStringLiteral("manual palette shortcuts - diagnostics about"));
   }
 
   void everyMenuFitsOnASmallScreen() {

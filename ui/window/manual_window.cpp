@@ -135,6 +135,8 @@ ManualWindow::ManualWindow(QWidget* parent)
   search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   search_->installEventFilter(this);
   list_->setAccessibleName(tr("Pages of the manual"));
+  page_->setAccessibleName(tr("Page of the manual"));
+  search_->setAccessibleName(tr("Search the manual"));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   static_cast<ManualPage*>(page_)->on_missing = [this](const QUrl& url) {
     said_->setText(tr("%1 is not in this manual.").arg(url.path().section(QLatin1String("/manual/"), 1)));
