@@ -381,7 +381,8 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
 
 /// The picture that was drawn and its facts become what is expected: both or neither. Facts that name another
 /// picture are left where the program ends in between.
-std::optional<QString> checkPicture(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
+std::optional<QString> replaceExpected(const PlannedSuite& plan, std::size_t view,
+                                       const suite::Facts& facts) {
   const auto bytes = disk::readFile(plan.made("actual", view).toStdString(), kMostPictureFileBytes);
   if (!bytes) return sentences::sentenceOf(bytes.error().cause);
   disk::WrittenFile picture(plan.expectedPicture(view).toStdString());
@@ -440,7 +441,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     ViewOutcome outcome;
     if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);
     if (verdict.unreadable) outcome.sentence = verdict.sentence;
-    if (const auto why = checkPicture(plan, view, facts)) return fail(kUsage, *why);
+    if (const auto why = replaceExpected(plan, view, facts)) return fail(kUsage, *why);
     const QString ended = endVariants(plan, view);
     return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, ended + outcome.sentence)
                     : Text::tr("%1: new, %2").arg(name, picture);

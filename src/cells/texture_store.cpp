@@ -99,7 +99,7 @@ void TextureStore::makeRoom(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     const std::vector<std::uint8_t> packed = body->packed();
     lock.lock();
-    const Range range = freeRange(packed.size());
+    const Range range = allocateRange(packed.size());
     lock.unlock();
     const std::string why = file_->write(packed, range.at);
     lock.lock();
@@ -120,7 +120,7 @@ void TextureStore::makeRoom(std::unique_lock<std::mutex>& lock) {
   }
 }
 
-TextureStore::Range TextureStore::freeRange(std::size_t size) {
+TextureStore::Range TextureStore::allocateRange(std::size_t size) {
   on_disk_ += size;
   const auto gap = gaps_.lower_bound(size);
   if (gap == gaps_.end()) return {std::exchange(file_end_, file_end_ + size), size};

@@ -72,7 +72,7 @@ class TextureStore : public std::enable_shared_from_this<TextureStore> {
   void forget(std::uint32_t place);
   void admit(std::uint32_t place, BodyPtr body);
   void makeRoom(std::unique_lock<std::mutex>& lock);
-  Range freeRange(std::size_t size);
+  Range allocateRange(std::size_t size);
   void giveBack(Range range);
 
   const Options options_;

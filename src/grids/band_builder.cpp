@@ -31,7 +31,7 @@ BandBuilder::~BandBuilder() {
 
 std::uint8_t* BandBuilder::nextRow() {
   if (row_ >= pyramid_->height() || finished_) return nullptr;
-  if (band_ == nullptr) band_ = pyramid_->addBand();
+  if (band_ == nullptr) band_ = pyramid_->newBand();
   return band_.get() + std::size_t(row_ % GridPyramid::kTileEdge) * pyramid_->stride(0);
 }
 

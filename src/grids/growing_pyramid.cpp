@@ -90,7 +90,7 @@ std::size_t GrowingPyramid::stride(int level) const {
   return std::size_t(store_.levels()[std::size_t(level)].tiles_x) * GridPyramid::kTileEdge;
 }
 
-GrowingPyramid::Band GrowingPyramid::addBand() { return padded(*pools_[0], 0); }
+GrowingPyramid::Band GrowingPyramid::newBand() { return padded(*pools_[0], 0); }
 
 GrowingPyramid::Band GrowingPyramid::padded(BandPool& pool, int level) {
   Band band = pool.take();

@@ -46,7 +46,7 @@ class GrowingPyramid final : public GridPyramid, public MayEndEarly {
   /// Bytes per row of a band of `level`: whole tiles.
   std::size_t stride(int level) const;
   /// A buffer for a band of level 0; cells to the right of the picture are unknown.
-  Band addBand();
+  Band newBand();
   /// Adds the rows `from` .. `to` (exclusive; a multiple of 2 unless they end the picture) of level 0 in
   /// `band`, which contains the tile row of `from`: reduces and stores them and makes them visible.
   void addRows(const Band& band, int from, int to);

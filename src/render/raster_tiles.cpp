@@ -139,7 +139,7 @@ void RasterTiles::receive(std::vector<TileWorkers::Outcome> outcomes) {
   for (TileWorkers::Outcome& outcome : outcomes) {
     const auto found = under_way_.find(outcome.ticket);
     if (found == under_way_.end()) {
-      useOther(outcome);
+      onOther(outcome);
       continue;
     }
     const UnderWay work = found->second;

@@ -76,7 +76,7 @@ class RasterTiles : public QObject {
   /// Other tiles are visible.
   virtual void viewChanged() {}
   /// The result of work that start() has not started.
-  virtual void useOther(const TileWorkers::Outcome& /*outcome*/) {}
+  virtual void onOther(const TileWorkers::Outcome& /*outcome*/) {}
   /// Drops what is out of view; what is in view stays all the same.
   virtual void keepWithin(std::size_t budget);
 

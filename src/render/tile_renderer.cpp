@@ -169,7 +169,7 @@ TileWorkers::Ticket TileRenderer::startWork(const TilePlace& place, const ViewTi
       exact, colors_revision_);
 }
 
-void TileRenderer::useOther(const TileWorkers::Outcome& outcome) {
+void TileRenderer::onOther(const TileWorkers::Outcome& outcome) {
   if (const auto of_use = pyramid_.take(outcome)) ++(*of_use ? pyramid_taken_ : pyramid_dropped_);
 }
 

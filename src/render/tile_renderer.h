@@ -78,7 +78,7 @@ class TileRenderer : public RasterTiles {
   void refresh(ViewTile& tile) override;
   std::uint32_t background() const override { return colors_.clear_unknown ? 0 : colors_.unknown; }
   void viewChanged() override;
-  void useOther(const TileWorkers::Outcome& outcome) override;
+  void onOther(const TileWorkers::Outcome& outcome) override;
   void keepWithin(std::size_t budget) override;
 
  private:

@@ -70,7 +70,7 @@ void SubmapTreeModel::sync() {
     }
   }
   if (widest_leaf_.isEmpty()) updateWidth({});
-  moveRows(fresh);
+  replaceRows(fresh);
 }
 
 void SubmapTreeModel::updateWidth(const SubmapFacts& facts) {
@@ -157,10 +157,10 @@ void SubmapTreeModel::syncVisibility() {
         facts.visible = row->visible;
     }
   }
-  moveRows(fresh);
+  replaceRows(fresh);
 }
 
-void SubmapTreeModel::moveRows(const Rows& fresh) {
+void SubmapTreeModel::replaceRows(const Rows& fresh) {
   std::vector<std::pair<int, int>> before;
   syncBranches(fresh);
   for (const Branch& branch : branches_) before.emplace_back(branch.visible, branch.shown);

@@ -76,7 +76,7 @@ class SubmapTreeModel : public QAbstractItemModel {
   int branchRow(std::int32_t trajectory) const;        // -1 = none
   using Rows = std::vector<std::vector<SubmapFacts>>;  // one list per trajectory, none of
                                                        // them empty
-  void moveRows(const Rows& fresh);
+  void replaceRows(const Rows& fresh);
   void syncBranches(const Rows& fresh);
   void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);
   void recount();

@@ -115,7 +115,7 @@ bool NameEditor::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonRelease:  // of a menu or a button: what it does may take the focus
       rememberFocus();
       if (watched == parentWidget() && std::exchange(back_after_it_, false))
-        QMetaObject::invokeMethod(this, &NameEditor::restoreName, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &NameEditor::focusAgain, Qt::QueuedConnection);
       break;
     default:
       break;
@@ -131,7 +131,7 @@ bool NameEditor::eventFilter(QObject* watched, QEvent* event) {
   return QLineEdit::eventFilter(watched, event);
 }
 
-void NameEditor::restoreName() {
+void NameEditor::focusAgain() {
   if (!then_ || !isVisible()) return;
   raise();
   setFocus();
@@ -159,7 +159,7 @@ void NameEditor::focusOutEvent(QFocusEvent* event) {
       return close(true);
     default:
       // Not the user: a panel, a strip, an answer of the robot.
-      by_hand_ ? close(true) : restoreName();
+      by_hand_ ? close(true) : focusAgain();
   }
 }
 

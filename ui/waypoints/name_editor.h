@@ -38,7 +38,7 @@ class NameEditor : public QLineEdit {
     int from = -1, count = 0, cursor = 0;
   };
   void close(bool take);
-  void restoreName();
+  void focusAgain();
   void rememberFocus();
   bool isOnObject(const QPointF& viewport_px) const;
 

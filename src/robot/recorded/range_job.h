@@ -33,7 +33,7 @@ class RangeJob {
   /// Once Done. `untimed`: number of messages without a valid time, to report with it.
   BagChunkPtr chunk(std::size_t untimed);
   /// Problems with messages, and recoveries.
-  std::vector<map::Problem> addProblems() { return std::exchange(problems_, {}); }
+  std::vector<map::Problem> releaseProblems() { return std::exchange(problems_, {}); }
   const BagKey& key() const { return key_; }
   const BagRange& range() const { return range_; }
 

@@ -386,7 +386,7 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
   }
   const RangeJob::Step step = job->range.step(
       {{*parts_->file, parts_->fields, parts_->shape, parts_->lasting, parts_->folds}, parts_->kept});
-  for (const map::Problem& problem : job->range.addProblems()) tell(problem);
+  for (const map::Problem& problem : job->range.releaseProblems()) tell(problem);
   switch (step) {
     case RangeJob::Step::More:
       QMetaObject::invokeMethod(
