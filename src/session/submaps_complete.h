@@ -11,7 +11,7 @@ bool listUnreadable(const ProblemLog& problems);
 
 /// Everything that is listed and has the chosen slice is loaded as it is listed, and no newer version is on
 /// its way. Not so: a list, or rows of it, that cannot be read; a submap in an older version than listed
-/// because the newer one cannot be had, or where it was before its pose became unreadable.
+/// because the newer one cannot be loaded, or where it was before its pose became unreadable.
 bool submapsComplete(const SubmapCounts& counts, const ProblemLog& problems);
 
 }  // namespace mapwright::session

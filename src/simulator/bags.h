@@ -27,7 +27,7 @@ enum class BagQuirk {
   Empty,
   Damaged,     // in its middle: a range that contains that second is refused with 400
   Unreadable,  // the same, with 500
-  Uncounted,   // how many messages it has is not told
+  Uncounted,   // its number of messages is left out
   Latched,     // all that robots latch in bags is in it
 };
 

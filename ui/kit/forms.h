@@ -105,7 +105,7 @@ class RangedBox : public Box {
                           this->suffix()));
     };
     QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, mark);
-    // What the box itself writes is not told by its text.
+    // textChanged is not emitted for what the box itself writes.
     QObject::connect(this, &Box::valueChanged, this, mark);
     QObject::connect(this, &Box::editingFinished, this, mark);
   }

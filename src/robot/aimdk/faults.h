@@ -67,9 +67,9 @@ inline constexpr FaultCode PointInTwoPlaces{
 inline constexpr FaultCode PointScaleUntold{
     "aimdk",
     QT_TRANSLATE_NOOP("aimdk",
-                      "The robot takes pixels, and which of them lies where cannot be told by the "
-                      "waypoints that the map has: the waypoint might land at the wrong place. Set some "
-                      "waypoints on the robot itself first, apart from each other.")};
+                      "The robot takes pixels, and the waypoints of this map do not show where its pixels "
+                      "lie: a new one might land in the wrong place. Set some waypoints on the robot "
+                      "itself first, apart from each other.")};
 inline constexpr FaultCode PointsStay{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "Waypoints of this robot cannot be deleted from here.")};
 inline constexpr FaultCode PointsWithoutTags{

@@ -67,7 +67,7 @@ bool knowsService(int status, std::string_view body);
 Read<bool> parseRealtimeMap(std::string_view body);
 /// A change that was accepted, or why not.
 Read<void> parseAcceptance(std::string_view body);
-/// SetNaviPoint: the id of a point that was created; empty if it is not told.
+/// SetNaviPoint: the id of a point that was created; empty if the robot does not send it.
 std::string createdPoint(std::string_view body);
 
 /// The requests. One call takes ids as text, the other as a number, digit by digit, if they are numbers.

@@ -60,7 +60,7 @@ void RosDeliveries::define() {
   const std::string type = *next;
   defined_.insert(type);
   defining_ = true;
-  // Services are not told of by that name: what it answers with is a map.
+  // rosapi does not know kAskedMap: that service answers with a map, so the definition of a map is asked for.
   const bool ros2 =
       graph_.topics && std::any_of(graph_.topics->begin(), graph_.topics->end(), [](const Endpoint& one) {
         return one.type.find("/msg/") != std::string::npos;
