@@ -71,8 +71,14 @@ class Program {
       process.kill();
       process.waitForFinished();
     }
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
+    const bool crashed = process.exitStatus() != QProcess::NormalExit;
+    const EndedBytes ended{crashed ? -1 : process.exitCode(), process.readAllStandardOutput(),
+                           process.readAllStandardError()};
+    // Said here, because a test that only compares the code would not say what ended the program.
+    if (crashed)
+      qWarning("%s: ended by signal %d: %s", qPrintable(words.join(QLatin1Char(' '))), process.exitCode(),
+               ended.err.constData());
+    return ended;
   }
   EndedBytes runForBytes(const QStringList& words) const { return runForBytes(words, Means()); }
   Ended run(const QStringList& words, const Means& means) const {

@@ -144,7 +144,8 @@ class MapMovesTest : public QObject {
     QCOMPARE(changesIn(robot), 0);
     simulator::Simulator other(paused());
     QVERIFY(!other.start());
-    QVERIFY(run(other, {QStringLiteral("delete"), QStringLiteral("2"), QStringLiteral("--yes")}).code == 0);
+    const Ended gone = run(other, {QStringLiteral("delete"), QStringLiteral("2"), QStringLiteral("--yes")});
+    QVERIFY2(gone.code == 0, qPrintable(gone.out + gone.err));
     const Ended put = run(other, upload + QStringList{QStringLiteral("--json")});
     QVERIFY2(put.code == 0 && put.object()[QLatin1String("as_sent")].toBool(), qPrintable(put.err));
     const QString id = put.object()[QLatin1String("id")].toString();
