@@ -9,38 +9,18 @@ namespace {
 
 constexpr int kMostOvertaken = 3;
 
-EditOptions withWorkers(EditOptions options) {
-  options.workers = work::orOwn(std::move(options.workers));
-  return options;
-}
-
 }  // namespace
 
 OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const QString& address,
-                             EditOptions options, QObject* parent)
-    : QObject(parent),
+                             const EditOptions& options, QObject* parent)
+    : EditSession(parent),
       store_(&store),
       map_(std::move(map)),
       keeps_(store.keeps()),
-      options_(withWorkers(std::move(options))),
-      identity_{address, QString::fromStdString(map::toText(map_)), QStringLiteral("waypoints")},
-      submission_(store, map_, listener()),
-      looking_(options_.workers) {
+      submission_(store, map_, listener()) {
   document_.setRemoval(keeps_.removal);
   document_.setFit([this](map::Waypoint& point, const map::Waypoint* kept) { fit(point, keeps_, kept); });
-  if (!options_.drafts_folder.isEmpty()) {
-    keeper_ = std::make_unique<DraftKeeper>(
-        options_.drafts_folder, identity_,
-        [this]() -> DraftKeeper::Job {
-          if (!unsaved()) return {};
-          return [draft = WaypointDraft{identity_, options_.now(), document_.allChanges()}] {
-            return toBytes(draft);
-          };
-        },
-        options_.later, options_.workers);
-    connect(keeper_.get(), &DraftKeeper::troubleChanged, this, &OpenWaypoints::draftTroubleChanged);
-    connect(&document_, &WaypointDocument::changed, keeper_.get(), &DraftKeeper::touch);
-  }
+  openDrafts(address, options);
   connect(&submission_, &WaypointSubmission::changed, this, &OpenWaypoints::onSubmissionChanged);
   connect(&store, &robot::WaypointStore::changed, this, &OpenWaypoints::read);
   connect(&store, &robot::WaypointStore::named, this, &OpenWaypoints::onNamed);
@@ -48,10 +28,9 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
 }
 
 OpenWaypoints::~OpenWaypoints() {
-  looking_.waitForDone();
   submission_.disconnect(this);
   submission_.abandon();
-  keepDraft();
+  closeDrafts();
 }
 
 void OpenWaypoints::onSubmissionChanged() {
@@ -120,7 +99,7 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
                               "saving writes them again."));
   } else {
     document_.reset(itemsOf(stored.points));
-    lookForDrafts();
+    if (drafts()) drafts()->look();
   }
 }
 
@@ -243,67 +222,43 @@ std::vector<Change> OpenWaypoints::ownChanges(const std::vector<robot::WaypointC
   return own;
 }
 
-void OpenWaypoints::lookForDrafts() {
-  if (options_.drafts_folder.isEmpty()) return;
-  looking_.startLong([this] {
-    auto left = std::make_shared<LeftDrafts>(leftDrafts(options_.drafts_folder, identity_));
-    QMetaObject::invokeMethod(
-        this, [this, left] { offer(std::move(*left)); }, Qt::QueuedConnection);
-  });
-}
-
-void OpenWaypoints::offer(LeftDrafts left) {
-  for (const Fault& note : left.notes) Q_EMIT remarked(note);
-  for (LeftDraft& file : left.drafts) {
-    auto draft = waypointDraftFrom(file.bytes);
-    if (!draft || !(draft->of == identity_)) {
-      Q_EMIT remarked(setAside(std::move(file)));
-      continue;
-    }
-    // Changes that were saved after all are not offered.
-    std::erase_if(draft->changes, [&](const Change& change) {
+void OpenWaypoints::openDrafts(const QString& address, const EditOptions& options) {
+  DocumentDrafts::Kind kind;
+  kind.of = {address, QString::fromStdString(map::toText(map_)), QStringLiteral("waypoints")};
+  kind.unsaved = [this] { return unsaved(); };
+  kind.content = [this, of = kind.of, now = options.now]() -> DraftKeeper::Job {
+    return [draft = WaypointDraft{of, now(), document_.allChanges()}] { return toBytes(draft); };
+  };
+  kind.read = [of = kind.of](const QByteArray& bytes) -> std::optional<Draft> {
+    auto draft = waypointDraftFrom(bytes);
+    if (!draft || !(draft->of == of)) return std::nullopt;
+    return Draft{draft->made, qint64(draft->changes.size()), std::move(draft->changes)};
+  };
+  kind.removeSaved = [this](Draft& draft) {
+    auto& changes = *std::any_cast<std::vector<Change>>(&draft.content);
+    std::erase_if(changes, [&](const Change& change) {
       const map::Waypoint* const now = document_.find(change.key);
       return same(now ? std::optional(*now) : std::nullopt, change.after);
     });
-    if (draft->changes.empty()) {
-      removeDraft(std::move(file));
-      continue;
-    }
-    file.bytes.clear();
-    left_.push_back(std::move(file));
-    offered_.push_back(std::move(*draft));
-  }
-  Q_EMIT changed();
+    draft.changes = qint64(changes.size());
+  };
+  keepDrafts(options, std::move(kind));
+  if (drafts()) connect(&document_, &WaypointDocument::changed, drafts(), &DocumentDrafts::touch);
 }
 
 void OpenWaypoints::restoreDraft(const QString& text) {
-  if (offered_.empty()) return;
-  document_.rebase(offered_.front().changes, text);
-  keeper_->replace(left_.front());
-  forgetFirstOffer();
-}
-
-void OpenWaypoints::turnDown() {
-  if (offered_.empty()) return;
-  if (const auto trouble = removeDraft(left_.front())) Q_EMIT remarked(*trouble);
-  forgetFirstOffer();
-}
-
-void OpenWaypoints::forgetFirstOffer() {
-  offered_.erase(offered_.begin());
-  left_.erase(left_.begin());
-  Q_EMIT changed();
+  if (!drafts()) return;
+  drafts()->restore([&](const Draft& draft) {
+    document_.rebase(std::any_cast<const std::vector<Change>&>(draft.content), text);
+    return true;
+  });
 }
 
 void OpenWaypoints::discard() {
   document_.reset(document_.kept());
-  keepDraft();
+  if (drafts()) drafts()->keep();
   read();
 }
-
-std::optional<Fault> OpenWaypoints::keepDraft() { return keeper_ ? keeper_->flush() : std::nullopt; }
-
-Fault OpenWaypoints::draftTrouble() const { return keeper_ && unsaved() ? keeper_->trouble() : Fault(); }
 
 }  // namespace mapwright::edit
 

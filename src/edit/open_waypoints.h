@@ -8,12 +8,10 @@
 #include <set>
 #include <vector>
 
-#include <QDateTime>
-#include <QObject>
 #include <QPointer>
 
 #include "edit/document.h"
-#include "edit/drafts.h"
+#include "edit/edit_session.h"
 #include "edit/submission.h"
 #include "robot/waypoint_store.h"
 #include "work/workers.h"
@@ -26,35 +24,23 @@ struct PlannedRequest {
   robot::WaypointCall call;
 };
 
-struct EditOptions {
-  QString drafts_folder = {};  // empty = no drafts
-  Later later = byTheClock();
-  std::function<QDateTime()> now = [] { return QDateTime::currentDateTime(); };
-  std::shared_ptr<work::Workers> workers = {};  // null = threads of its own
-};
-
-class OpenWaypoints : public QObject {
+class OpenWaypoints : public EditSession {
   Q_OBJECT
  public:
-  enum class Phase { Reading, Ready, Failed };
-
   /// Starts reading at once. `store` must outlive this object, unless robotGone() is called first.
-  OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const QString& address, EditOptions options,
-                QObject* parent = nullptr);
+  OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const QString& address,
+                const EditOptions& options, QObject* parent = nullptr);
   /// Unsaved changes stay as a draft.
   ~OpenWaypoints() override;
 
   const map::MapKey& map() const { return map_; }
-  Phase phase() const { return phase_; }
-  /// Why the last read failed; nullopt if it succeeded.
-  const std::optional<map::Failure>& failure() const { return failure_; }
   const std::vector<Fault>& notes() const { return notes_; }  // warnings about them
   /// Those stored with a zero quaternion, unless they have been turned here since.
   std::set<Key> zeroTurns() const;
   const robot::KeptFields& keeps() const { return keeps_; }
   WaypointDocument& document() { return document_; }
   const WaypointDocument& document() const { return document_; }
-  bool unsaved() const { return !document_.unsaved().empty(); }
+  bool unsaved() const override { return !document_.unsaved().empty(); }
   /// Unsaved waypoints that are not sent because the robot would refuse them: another one has their name.
   std::set<Key> refused() const;
 
@@ -72,36 +58,22 @@ class OpenWaypoints : public QObject {
   void send(const std::vector<PlannedRequest>& reviewed, AtFailure at_failure);
   /// The result of everything sent has been read since.
   bool looked() const { return looked_; }
-  bool saving() const { return submission_.running(); }
+  bool saving() const override { return submission_.running(); }
+  bool inConflict() const override { return !document_.conflicts().empty(); }
+  bool inDoubt() const override { return !looked_ && !saving(); }
   /// Why saving stopped, while it prevents further saving: after a lost connection that lasts until the list
   /// has been read again.
   std::optional<map::Failure> stoppedBy() const;
   /// There are unsaved changes, no save in progress, and no open conflict.
-  bool maySave() const { return unsaved() && !saving() && document_.conflicts().empty(); }
+  bool maySave() const { return unsaved() && !saving() && !inConflict(); }
   const WaypointSubmission& submission() const { return submission_; }
   void cancelSaving() { submission_.cancel(); }
   /// The robot is gone: no more answers, and nothing can be saved.
   void robotGone();
 
-  /// Drafts of programs that ended without saving, as changes to the document; newest first.
-  const std::vector<WaypointDraft>& offered() const { return offered_; }
-  /// Merges the first one into the document as one command, and deletes it once its content is saved again.
-  void restoreDraft(const QString& text);
-  /// It is not wanted.
-  void turnDown();
+  void restoreDraft(const QString& text) override;
   /// Reverts everything to the stored state and removes the draft.
   void discard();
-  /// Writes the current draft to disk before it returns; otherwise returns why not.
-  std::optional<Fault> keepDraft();
-  /// Why the draft of what is not saved is not on disk; None = nothing is wrong.
-  Fault draftTrouble() const;
-
- Q_SIGNALS:
-  void changed();  // phase, submission, offers; the document tells its own changes
-  void saved();
-  void draftTroubleChanged();
-  /// A message about drafts for the user.
-  void remarked(const mapwright::Fault& remark);
 
  private:
   void take(const robot::StoredWaypoints& stored);
@@ -112,18 +84,12 @@ class OpenWaypoints : public QObject {
   /// What to send, in the form that the store takes.
   std::vector<robot::WaypointChange> wireChanges() const;
   std::vector<Change> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
-  void lookForDrafts();
-  void offer(LeftDrafts left);
+  void openDrafts(const QString& address, const EditOptions& options);
   void onSubmissionChanged();
-  void forgetFirstOffer();
 
   QPointer<robot::WaypointStore> store_;
   map::MapKey map_;
   robot::KeptFields keeps_;
-  EditOptions options_;
-  DraftIdentity identity_;
-  Phase phase_ = Phase::Reading;
-  std::optional<map::Failure> failure_;
   std::vector<Fault> notes_;
   bool has_read_ = false, reading_ = false, read_again_ = false;
   bool read_overtaken_ = false;  // saving has begun since: what comes may be older than what is saved
@@ -135,10 +101,6 @@ class OpenWaypoints : public QObject {
   WaypointSubmission::Way way_;
   WaypointDocument document_;
   WaypointSubmission submission_;
-  std::vector<WaypointDraft> offered_;
-  std::vector<LeftDraft> left_;  // the files of `offered_`
-  std::unique_ptr<DraftKeeper> keeper_;
-  work::Tasks looking_;  // for drafts
 };
 
 }  // namespace mapwright::edit

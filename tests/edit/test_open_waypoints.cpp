@@ -283,17 +283,17 @@ class TestOpenWaypoints : public QObject {
     desk.store.put(waypoint("a", 0, 0, "Renamed meanwhile"));
     desk.open();
     READY(desk);
-    QTRY_COMPARE(desk.list->offered().size(), std::size_t(1));
-    QCOMPARE(desk.list->offered()[0].changes.size(), std::size_t(1));
+    QTRY_VERIFY(desk.list->drafts()->offered());
+    QCOMPARE(desk.list->drafts()->offered()->changes, 1);
     QVERIFY(!desk.list->unsaved());
     desk.list->restoreDraft(QStringLiteral("draft"));
-    QVERIFY(desk.list->offered().empty());
+    QVERIFY(!desk.list->drafts()->offered());
     QCOMPARE(desk.document().find("a")->position_m.x(), 1.0);
     QCOMPARE(desk.document().find("a")->name, std::string("Renamed meanwhile"));
     QSignalSpy saved(desk.list.get(), &OpenWaypoints::saved);
     desk.list->save();
     QTRY_COMPARE(saved.size(), 1);
-    QVERIFY(!desk.list->keepDraft());
+    QVERIFY(!desk.list->drafts()->keep());
     desk.open();
     READY(desk);
     QVERIFY(QDir(desk.folder.path()).entryList({QStringLiteral("*.json")}).isEmpty());
@@ -303,7 +303,7 @@ class TestOpenWaypoints : public QObject {
     Desk desk(Way::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
-    QVERIFY(!desk.list->keepDraft());
+    QVERIFY(!desk.list->drafts()->keep());
     QCOMPARE(QDir(desk.folder.path()).entryList({QStringLiteral("*.json")}).size(), 1);
     desk.list->discard();
     QVERIFY(!desk.list->unsaved());
@@ -311,8 +311,8 @@ class TestOpenWaypoints : public QObject {
     desk.move("a", 2);
     desk.list.reset();
     desk.open();
-    QTRY_COMPARE(desk.list->offered().size(), std::size_t(1));
-    desk.list->turnDown();
+    QTRY_VERIFY(desk.list->drafts()->offered());
+    desk.list->drafts()->turnDown();
     QVERIFY(QDir(desk.folder.path()).entryList({QStringLiteral("*.json")}).isEmpty());
     QVERIFY(!desk.list->unsaved());
   }
@@ -326,7 +326,7 @@ class TestOpenWaypoints : public QObject {
     desk.open();
     READY(desk);
     QTRY_VERIFY(QDir(desk.folder.path()).entryList({QStringLiteral("*.json")}).isEmpty());
-    QVERIFY(desk.list->offered().empty());
+    QVERIFY(!desk.list->drafts()->offered());
   }
 
   void aBrokenDraftIsSetAsideAndSaid() {
@@ -341,7 +341,7 @@ class TestOpenWaypoints : public QObject {
     QSignalSpy remarked(desk.list.get(), &OpenWaypoints::remarked);
     QTRY_COMPARE(remarked.size(), 1);
     QVERIFY(QFile::exists(file.fileName() + QStringLiteral(".broken")));
-    QVERIFY(desk.list->offered().empty());
+    QVERIFY(!desk.list->drafts()->offered());
   }
 };
 

@@ -63,7 +63,7 @@ const map::MapKey kMap{map::MapKind::Stored, "1"};
 class Editor : public test::Bench {
  public:
   virtual ~Editor() = default;  // derived: the window goes before its robot's stores
-  virtual Controller& control() = 0;
+  virtual EditorController& control() = 0;
   virtual bool isOpen() = 0;
   virtual void change() = 0;
   /// Confirms what is asked before anything is sent.
@@ -88,6 +88,9 @@ class Editor : public test::Bench {
       offerStore(made);
     };
     edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
+    openWindow();
+  }
+  void openWindow() {
     open({1900, 1050});
     QVERIFY(!window->connectTo(test::kAddress));
     window->session()->openMap(map::MapKey(kMap));
@@ -96,6 +99,28 @@ class Editor : public test::Bench {
     fate = next;
     action("save")->trigger();
     confirm();
+  }
+  /// What is on disk at this moment is all that is left of the program.
+  void kill() {
+    std::map<QString, QByteArray> left;
+    for (const QString& path : draftFiles()) {
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      left[path] = file.readAll();
+    }
+    window.reset();
+    for (const QString& path : draftFiles()) QVERIFY(QFile::remove(path));
+    for (const auto& [path, bytes] : left) {
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    }
+  }
+  QStringList draftFiles() const {
+    const QDir drafts(edit.drafts_folder);
+    QStringList paths;
+    for (const QString& name : drafts.entryList({QStringLiteral("*.json")}, QDir::Files))
+      paths << drafts.filePath(name);
+    return paths;
   }
   /// What the window says of it, as messages or in the panel.
   QString said() { return part<MapOverlay>(*window)->toasts()->texts().join(QLatin1Char('\n')); }
@@ -211,8 +236,10 @@ class PictureEditor : public Editor {
   bool holdsTheirs() override { return black(70, 50); }
   void offerStore(test::FakeRobot& made) override {
     maps_ = &made.maps;
-    held_ = test::wholeMap(kMap, "Ground floor", 80, 60);
-    held_.fingerprint = "1";
+    if (!held_.bytes) {
+      held_ = test::wholeMap(kMap, "Ground floor", 80, 60);
+      held_.fingerprint = "1";
+    }
     maps_->pictures[kMap.id] = held_;
     made.picture_store = &store_;
   }
@@ -321,6 +348,42 @@ class EditFaultsTest : public QObject {
     if (editor->holdsMine()) return;
     // It can be saved again, and then it is.
     QTRY_VERIFY(editor->control().maySave());
+    editor->save(Fate::Done);
+    QTRY_VERIFY2(editor->holdsMine() && !editor->control().unsaved(), qPrintable(editor->said()));
+  }
+
+  void whatAKilledProgramHadNotSavedCanBeRestored_data() {
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<bool>("sent");
+    QTest::addColumn<int>("fate");
+    for (const char* what : {"waypoints", "overlays", "picture"}) {
+      const QString kind = QString::fromLatin1(what);
+      QTest::addRow("%s: before it was sent", what) << kind << false << int(Fate::NotSent);
+      QTest::addRow("%s: sent, and done", what) << kind << true << int(Fate::LostAfter);
+      QTest::addRow("%s: sent, and not done", what) << kind << true << int(Fate::LostBefore);
+    }
+  }
+  void whatAKilledProgramHadNotSavedCanBeRestored() {
+    QFETCH(QString, what);
+    QFETCH(bool, sent);
+    QFETCH(int, fate);
+    const std::unique_ptr<Editor> editor = editorOf(what);
+    editor->start();
+    QTRY_VERIFY(editor->isOpen());
+    editor->change();
+    QTRY_COMPARE(editor->draftFiles().size(), 1);
+    if (sent) {
+      editor->save(Fate(fate));
+      QTRY_COMPARE(editor->fate, Fate::Done);  // it has reached the robot
+    }
+    editor->kill();
+    const bool held = editor->holdsMine();
+    editor->openWindow();
+    QTRY_VERIFY(editor->isOpen());
+    if (!held) QTRY_VERIFY(!editor->control().offerText().isEmpty());
+    editor->control().edited()->restoreDraft(QStringLiteral("restore"));
+    QCOMPARE(editor->control().unsaved(), !held);
+    if (held) return;
     editor->save(Fate::Done);
     QTRY_VERIFY2(editor->holdsMine() && !editor->control().unsaved(), qPrintable(editor->said()));
   }

@@ -20,7 +20,6 @@
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
 #include "ui/picture/picture_tool.h"
-#include "ui/shell/map_drafts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -502,8 +501,8 @@ class TestWindowPicture : public QObject {
     // Somebody writes there meanwhile.
     desk.writeCells([](int x, int y) { return char(x < 15 && y < 15 ? 205 : 254); });
     desk.open();
-    QTRY_VERIFY(desk.control().drafts()->offered());
-    QVERIFY(desk.control().drafts()->offer().contains(QLatin1String("100 cells")));
+    QTRY_VERIFY(!desk.control().offerText().isEmpty());
+    QVERIFY(desk.control().offerText().contains(QLatin1String("100 cells")));
     for (QPushButton* button : desk.dock().findChildren<QPushButton*>()) {
       if (button->text() != QLatin1String("Restore")) continue;
       button->setFocus();
@@ -525,7 +524,7 @@ class TestWindowPicture : public QObject {
     Desk::writeFile(desk.folder.filePath(QStringLiteral("drafts")), "no folder");
     desk.open();
     desk.editing().drawRectangle({10, 10, 20, 20});
-    QVERIFY(desk.control().drafts()->keep());
+    QVERIFY(desk.control().edited()->drafts()->keep());
     const auto said = [&] { return desk.dock().status(); };
     QTRY_VERIFY2(said().contains(QLatin1String("not backed up")), qPrintable(said()));
     desk.save();

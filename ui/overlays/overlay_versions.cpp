@@ -25,13 +25,13 @@ void OverlaysController::addHistory() {
   context_.panels.add(history_dock_,
                       {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 47, .open = false});
   history_dock_->setOpen([this]() -> std::optional<OverlayHistoryDock::Open> {
-    if (!editing_.isOpen() || !target_) return std::nullopt;
+    if (!editing_.isOpen()) return std::nullopt;
     return OverlayHistoryDock::Open{openMap(), [this] { return editing_.document().mine(); },
                                     editing_.editable()};
   });
   connect(dock_, &OverlaysDock::historyWanted, this, [this] {
     context_.panels.open(history_dock_);
-    if (target_) history_dock_->showMap(openMap());
+    if (overlays_) history_dock_->showMap(openMap());
   });
   connect(history_dock_, &OverlayHistoryDock::areaWanted, this,
           [this](const geometry::WorldRect& area) { context_.view.fit(area.grown(kAroundChangeM), true); });
@@ -46,9 +46,10 @@ void OverlaysController::addHistory() {
 }
 
 history::MapName OverlaysController::openMap() const {
+  const robot::OverlayText& held = overlays_->held();
   return history::mapName(session_ ? session_->robot().address().toStdString() : std::string(),
-                          map::toText(target_->map), held_.map_uid.empty() ? target_->uid : held_.map_uid,
-                          held_.map_name);
+                          map::toText(overlays_->target().map),
+                          held.map_uid.empty() ? overlays_->target().uid : held.map_uid, held.map_name);
 }
 
 void OverlaysController::restoreVersion(const overlays::OverlayDocument& version, const QString& called) {

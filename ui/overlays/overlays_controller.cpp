@@ -16,7 +16,6 @@
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
 #include "ui/overlays/overlay_actions.h"
-#include "ui/overlays/overlay_drafts.h"
 #include "ui/overlays/overlay_history_dock.h"
 #include "ui/overlays/overlay_review.h"
 #include "ui/overlays/overlay_text.h"
@@ -64,7 +63,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
     context_.scene.setLayerVisible(scene::Layer::Overlays, true);
     context_.undo.setActiveStack(&editing_.undoStack());
     context_.panels.open(dock_);
-    if (target_ && !busy_) read();  // others may have changed them since
+    read();  // others may have changed them since
   });
   connect(tool_, &OverlayTool::refused, this,
           [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
@@ -82,10 +81,14 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   });
   connect(dock_, &OverlaysDock::reviewWanted, this, &OverlaysController::save);
   connect(dock_, &OverlaysDock::retryWanted, this, &OverlaysController::read);
-  connect(dock_, &OverlaysDock::draftWanted, this, &OverlaysController::restoreDraft);
-  connect(dock_, &OverlaysDock::draftNotWanted, this, [this] {
-    if (drafts_) drafts_->turnDown();
+  connect(dock_, &OverlaysDock::draftWanted, this, [this] {
+    if (!overlays_) return;
+    overlays_->restoreDraft(tr("restore the draft"));
+    if (!overlays_->inConflict()) return;
+    context_.panels.open(dock_);
+    dock_->showConflicts();
   });
+  connect(dock_, &OverlaysDock::draftNotWanted, this, &OverlaysController::turnDownDraft);
   connect(dock_, &OverlaysDock::copyWanted, transfer, &OverlayTransfer::copy);
   connect(dock_, &OverlaysDock::cutWanted, transfer, &OverlayTransfer::cut);
   connect(dock_, &OverlaysDock::pasteWanted, transfer, [transfer] { transfer->paste(std::nullopt); });
@@ -142,14 +145,15 @@ void OverlaysController::setSession(session::Session* session) {
     connect(session_, &session::Session::connectionChanged, this, &OverlaysController::onLink);
     connect(&session_->robot(), &robot::Robot::mapsChanged, this, [this] {
       // Somebody wrote the file, or a file beside it.
-      if (editing_.isOpen() && session_->robot().isLocal() && !busy_) read();
+      if (editing_.isOpen() && session_->robot().isLocal()) read();
     });
     connect(session_, &session::Session::liveChanged, this, [this](int what) {
       if (what != map::topicIndex<map::MapInfo>()) return;
       syncMap();
       const auto& info = session_->live().map_info;
-      const bool other = info && (!info->overlays_version || info->overlays_version != held_.version);
-      if (editing_.isOpen() && target_ && target_->robots && other && !busy_) read();
+      const Target* const open = openTarget();
+      if (!editing_.isOpen() || !open || !open->robots || !info) return;
+      if (!info->overlays_version || info->overlays_version != overlays_->held().version) read();
     });
   }
   actions_->teaching()->setSession(session);
@@ -162,7 +166,7 @@ void OverlaysController::setSession(session::Session* session) {
 void OverlaysController::onLink() {
   const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
   const bool came = !std::exchange(online_, online) && online;
-  if (came && (failure_ || doubt_)) read();
+  if (came && overlays_ && (overlays_->failure() || overlays_->inDoubt())) read();
   refresh();
 }
 
@@ -197,23 +201,48 @@ std::optional<OverlaysController::Target> OverlaysController::target() const {
 }
 
 void OverlaysController::syncMap() {
-  const auto now = target();
+  auto now = target();
   // Unsaved changes stay on screen while the robot cannot be asked; it may come back.
-  const bool lost = session_ && !session_->robot().overlayStore() && (unsaved() || busy_);
-  if (!lost && now != target_) {
-    const bool other = !now || !target_ || now->map != target_->map || now->uid != target_->uid;
-    if (other && unsaved() && drafts_ && !leavingAllowed())
-      reportLeftMap(target_->map,
+  const bool lost = session_ && !session_->robot().overlayStore() && (unsaved() || busy());
+  const Target* const before = openTarget();
+  if (!lost && (before ? !now || *now != *before : now.has_value())) {
+    const bool other = !now || !before || !now->isSameMap(*before);
+    if (other && unsaved() && keepsDraft() && !leavingAllowed())
+      reportLeftMap(before->map,
                     tr("The unsaved changes to the overlays of %1 are kept as a draft.").arg(mapName()));
     if (other) closeMap();
-    target_ = now;
-    if (target_) onMapOpened(target_->map);
-    if (target_) on_map_->setMap(target_->map, target_->robots);
-    actions_->teaching()->setThere(target_ && target_->robots);
-    if (target_ && other) watchDrafts();
+    if (now) openTargetNow(std::move(*now));
+    actions_->teaching()->setThere(overlays_ && overlays_->target().robots);
   }
-  if (target_ && !editing_.isOpen() && !reading_ && !failure_ && wanted()) read();
+  if (overlays_ && !editing_.isOpen() && !overlays_->reading() && !overlays_->failure() && wanted()) read();
   refresh();
+}
+
+void OverlaysController::openTargetNow(Target target) {
+  onMapOpened(target.map);
+  on_map_->setMap(target.map, target.robots);
+  if (overlays_) return overlays_->setTarget(std::move(target));
+  overlays_ = std::make_unique<OverlaySession>(
+      [this] { return session_ ? session_->robot().overlayStore() : nullptr; }, std::move(target),
+      session_->robot().address(), editing_, context_.edit);
+  OverlaySession* const opened = overlays_.get();
+  connect(opened, &OverlaySession::changed, this, &OverlaysController::syncMap);
+  followDrafts(*opened, dock_);
+  connect(opened, &OverlaySession::seen, this, &OverlaysController::onSeen);
+  connect(opened, &OverlaySession::opened, this, [this] {
+    if (ofFile()) context_.panels.open(dock_);
+    context_.undo.setActiveStack(&editing_.undoStack());
+  });
+  connect(opened, &OverlaySession::changedThere, this, [this](qsizetype features) {
+    context_.overlay.toasts()->add(
+        Mark::Warning, tr("Someone else changed overlays of %1: %2.").arg(mapName(), featuresText(features)));
+  });
+  connect(opened, &OverlaySession::merged, this, [this] {
+    if (review_) reviewAnew();
+  });
+  connect(opened, &OverlaySession::doubtSettled, this, &OverlaysController::onDoubtSettled);
+  connect(opened, &OverlaySession::ended, this, &OverlaysController::onOutcome);
+  connect(opened, &OverlaySession::failed, this, &OverlaysController::onFailed);
 }
 
 bool OverlaysController::ofFile() const {
@@ -222,90 +251,32 @@ bool OverlaysController::ofFile() const {
 }
 
 bool OverlaysController::wanted() const {
-  return context_.tools.chosen() == tool_ || dock_->isVisible() || ofFile() ||
-         (drafts_ && drafts_->offered());
+  return context_.tools.chosen() == tool_ || dock_->isVisible() || ofFile() || !offerText().isEmpty();
 }
 
 void OverlaysController::closeMap() {
-  if (!target_) return;
+  if (!overlays_) return;
   ++opened_;
-  call_.cancel();
-  reading_ = read_again_ = busy_ = doubt_ = false;
-  failure_.reset();
-  held_ = {};
   trouble_.clear();
   stay();
   if (review_) review_->close();
-  closeDrafts();
-  target_.reset();
-  editing_.close();
+  leaveDraft();
+  overlays_->disconnect(this);
+  overlays_.reset();
 }
 
 void OverlaysController::read() {
-  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
-  if (!store || !target_ || busy_) return;
-  if (reading_) {
-    read_again_ = true;
-    return;
-  }
-  reading_ = true;
-  failure_.reset();
-  call_ = store->read(target_->map, [this, opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
-    if (opened != opened_) return;
-    reading_ = false;
-    // While something is being saved it is older than that.
-    if (outcome && !busy_) mergeHeld(*outcome, false);
-    if (!outcome && !busy_) failure_ = outcome.error();
-    refresh();
-    if (std::exchange(read_again_, false)) read();
-  });
-  refresh();
+  if (overlays_) overlays_->read();
 }
 
-void OverlaysController::mergeHeld(const robot::OverlayText& text, bool saved) {
-  if (!session_ || !target_) return;
-  held_ = text;
-  history_.keep(openMap(), text.version, saved ? history::Origin::Saved : history::Origin::Read, text.text,
-                double(context_.edit.now().toMSecsSinceEpoch()) / 1000);
-  auto held = OverlayDocument::read(text.text);
-  if (!held) {
-    trouble_ = tr("The overlays of this map cannot be read. %1").arg(sentences::sentenceOf(held.error()));
-    failure_ =
-        map::Failure{.kind = map::FailureKind::MalformedAnswer, .subject = map::subjectOf(target_->map)};
-    return;
-  }
+void OverlaysController::onSeen(const robot::OverlayText& text, bool sent) {
   trouble_.clear();
-  failure_.reset();
-  if (editing_.isOpen()) {
-    rebase(*held);
-  } else {
-    editing_.open(std::move(*held));
-    if (ofFile()) context_.panels.open(dock_);
-    context_.undo.setActiveStack(&editing_.undoStack());
-  }
-  if (review_) reviewAnew();
-  if (std::exchange(doubt_, false))
-    unsaved() ? notSaved(tr("The overlays were not saved: the robot does not hold them.")) : reportHeld();
+  history_.keep(openMap(), text.version, sent ? history::Origin::Saved : history::Origin::Read, text.text,
+                double(context_.edit.now().toMSecsSinceEpoch()) / 1000);
 }
 
-void OverlaysController::rebase(const OverlayDocument& held) {
-  const auto& document = editing_.document();
-  if (held.text() == document.base().text()) return;
-  const std::size_t before = document.changedThere().size();
-  // What was sent is there, or what was not known to be saved turns out to be.
-  if (document.unsaved() && jobs::otherwiseHeld(document.mine(), held).empty()) editing_.markSaved();
-  editing_.rebase(held);
-  const std::size_t now = document.changedThere().size();
-  if (now > before)
-    context_.overlay.toasts()->add(
-        Mark::Warning,
-        tr("Someone else changed overlays of %1: %2.").arg(mapName(), featuresText(qsizetype(now - before))));
-}
-
-void OverlaysController::setBusy(bool busy) {
-  busy_ = busy;
-  editing_.setLocked(busy);
-  refresh();
+void OverlaysController::onDoubtSettled(bool stored) {
+  stored ? reportHeld() : notSaved(tr("The overlays were not saved: the robot does not hold them."));
 }
 
 QString OverlaysController::decideText() const {
@@ -330,40 +301,24 @@ void OverlaysController::notSaved(const QString& sentence) {
 
 void OverlaysController::save() {
   finishInput();
-  if (busy_ || !unsaved() || !session_ || !target_) return;
+  if (busy() || !unsaved() || !session_) return;
   if (review_) return review_->raise();
-  if (!editing_.document().conflicts().empty()) return askToDecide();
+  if (overlays_->inConflict()) return askToDecide();
   carryOut(false);
 }
 
 void OverlaysController::carryOut(bool send) {
-  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
-  if (!store) return notSaved(tr("The overlays were not saved. %1").arg(unavailableReason()));
+  if (!session_ || !session_->robot().overlayStore())
+    return notSaved(tr("The overlays were not saved. %1").arg(unavailableReason()));
   trouble_.clear();
-  setBusy(true);
-  jobs::OverlayOrder order{target_->map, editing_.document().mine(), editing_.document().base(), send};
-  if (send && isStillHeld()) order.held = held_;
-  order.seen = [this, opened = opened_](const robot::OverlayText& text, bool saved) {
-    if (opened == opened_) mergeHeld(text, saved);
-  };
-  call_ = jobs::changeOverlays(
-      *store, std::move(order),
-      [this, send, opened = opened_](const robot::Outcome<jobs::OverlayOutcome>& outcome) {
-        if (opened != opened_) return;
-        setBusy(false);
-        onOutcome(outcome, send);
-        refresh();
-        // What others did meanwhile was told while nobody listened.
-        const auto& info = session_ ? session_->live().map_info : std::nullopt;
-        if (target_ && target_->robots && info && held_.version && info->overlays_version > held_.version)
-          read();
-      });
+  send ? overlays_->send(isStillHeld()) : overlays_->look();
 }
 
 bool OverlaysController::isStillHeld() const {
   const auto& info = session_->live().map_info;
-  return online_ && target_->robots && info && info->overlays_version &&
-         info->overlays_version == held_.version && info->uid == held_.map_uid;
+  const robot::OverlayText& held = overlays_->held();
+  return online_ && overlays_->target().robots && info && info->overlays_version &&
+         info->overlays_version == held.version && info->uid == held.map_uid;
 }
 
 QStringList OverlaysController::changesToSave() const {
@@ -385,7 +340,7 @@ void OverlaysController::showReview() {
     if (opened != opened_) return;
     if (result != QDialog::Accepted) {
       stay();
-    } else if (!editing_.document().conflicts().empty()) {
+    } else if (overlays_->inConflict()) {
       askToDecide();
     } else {
       carryOut(true);
@@ -403,24 +358,39 @@ void OverlaysController::reviewAnew() {
   unsaved() ? showReview() : onAllSaved();
 }
 
-void OverlaysController::onOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent) {
-  if (!outcome) {
-    const QString why =
-        trouble_.isEmpty() ? QString::fromStdString(sentences::failureReason(outcome.error())) : trouble_;
-    doubt_ = doubt_ || outcome.error().applied != map::Applied::No;
-    return notSaved(doubt_ ? tr("It is not known whether the overlays were saved. %1").arg(why)
-                           : tr("The overlays were not saved. %1").arg(why));
-  }
-  if (!editing_.document().conflicts().empty() && !outcome->sent) return askToDecide();
+/// What others did while something was being saved was told while nobody listened.
+void OverlaysController::readIfChanged() {
+  const auto& info = session_ ? session_->live().map_info : std::nullopt;
+  const auto& held = overlays_->held();
+  if (overlays_->target().robots && info && held.version && info->overlays_version > held.version)
+    QMetaObject::invokeMethod(overlays_.get(), &OverlaySession::read, Qt::QueuedConnection);
+}
+
+void OverlaysController::onFailed(const map::Failure& failure) {
+  readIfChanged();
+  QString why = QString::fromStdString(sentences::failureReason(failure));
+  if (overlays_->unreadable().any()) why = unreadableText();
+  notSaved(overlays_->inDoubt() ? tr("It is not known whether the overlays were saved. %1").arg(why)
+                                : tr("The overlays were not saved. %1").arg(why));
+}
+
+void OverlaysController::onOutcome(const jobs::OverlayOutcome& outcome, bool sent) {
+  readIfChanged();
+  if (overlays_->inConflict() && !outcome.sent) return askToDecide();
   if (!sent && unsaved()) return showReview();
-  if (editing_.inFile() && outcome->sent) Q_EMIT fileWritten();
-  const QString doubt = jobs::doubtOf(*outcome);
-  if (!outcome->differs.empty()) return notSaved(tr("%1 They are still unsaved here.").arg(doubt));
-  if (outcome->unreadable.any()) return notSaved(doubt);
-  if (!outcome->sent) return reportHeld();
+  if (editing_.inFile() && outcome.sent) Q_EMIT fileWritten();
+  const QString doubt = jobs::doubtOf(outcome);
+  if (!outcome.differs.empty()) return notSaved(tr("%1 They are still unsaved here.").arg(doubt));
+  if (outcome.unreadable.any()) return notSaved(doubt);
+  if (!outcome.sent) return reportHeld();
   doubt.isEmpty() ? reportSaving(Mark::Good, tr("Overlays of %1 saved").arg(mapName()))
                   : reportSaving(Mark::Warning, doubt);
   unsaved() ? stay() : onAllSaved();
+}
+
+QString OverlaysController::unreadableText() const {
+  return tr("The overlays of this map cannot be read. %1")
+      .arg(sentences::sentenceOf(overlays_->unreadable()));
 }
 
 void OverlaysController::reportHeld() {
@@ -430,7 +400,6 @@ void OverlaysController::reportHeld() {
 
 void OverlaysController::onChange() {
   onEdited();
-  if (drafts_) drafts_->touch();
   ++ways_;
   way_.show({});
   states_.show(editing_.isOpen() ? stateMarksOf(editing_.document()) : std::vector<OverlayMark>());
@@ -439,11 +408,11 @@ void OverlaysController::onChange() {
 }
 
 const session::MapSlot* OverlaysController::mapToCheck() const {
-  if (!session_ || !target_) return nullptr;
+  const Target* const open = openTarget();
+  if (!session_ || !open) return nullptr;
   const auto is = [&](const session::MapSlot& slot) {
     return slot.cells() && slot.cells()->complete() &&
-           (slot.shown().key == target_->map ||
-            (target_->robots && slot.shown().key.kind == map::MapKind::Live));
+           (slot.shown().key == open->map || (open->robots && slot.shown().key.kind == map::MapKind::Live));
   };
   if (is(session_->wholeMap())) return &session_->wholeMap();
   return is(session_->mapForChecks()) ? &session_->mapForChecks() : nullptr;
@@ -452,8 +421,9 @@ const session::MapSlot* OverlaysController::mapToCheck() const {
 void OverlaysController::readMapToCheck() {
   if (!session_) return;
   const bool on_screen = mapToCheck() == &session_->wholeMap();
-  const bool stored = target_ && target_->map.kind == map::MapKind::Stored;
-  session_->readForChecks(editing_.isOpen() && stored && !on_screen ? std::optional(target_->map)
+  const Target* const open = openTarget();
+  const bool stored = open && open->map.kind == map::MapKind::Stored;
+  session_->readForChecks(editing_.isOpen() && stored && !on_screen ? std::optional(open->map)
                                                                     : std::nullopt);
   const session::MapSlot* const map = mapToCheck();
   const auto cells = map ? map->cells() : nullptr;
@@ -538,68 +508,45 @@ QString OverlaysController::unavailableReason() const {
   constexpr auto kEditing = robot::Capability::OverlayEditing;
   if (!session_->robot().overlayStore())
     return sentences::absenceReason(kEditing, session_->robot().unavailableReason(kEditing));
-  if (!target_)
+  if (!overlays_)
     return session_->robot().isLocal() ? tr("Open a map to edit its overlays.")
                                        : tr("Only stored maps have overlays. Open one in the Maps panel.");
-  if (failure_) {
+  if (overlays_->unreadable().any()) return unreadableText();
+  if (const auto& failure = overlays_->failure()) {
     return trouble_.isEmpty() ? tr("The overlays could not be read. %1")
-                                    .arg(QString::fromStdString(sentences::failureReason(*failure_)))
+                                    .arg(QString::fromStdString(sentences::failureReason(*failure)))
                               : trouble_;
   }
-  return reading_ ? tr("Loading the overlays.") : QString();
+  return overlays_->reading() ? tr("Loading the overlays.") : QString();
 }
 
 void OverlaysController::refresh() {
   readMapToCheck();
   const QString sentence = unavailableReason();
-  dock_->setUnavailableReason(sentence, (failure_ || doubt_) && !busy_);
+  const bool failed = overlays_ && overlays_->failure();
+  const bool doubt = overlays_ && overlays_->inDoubt();
+  dock_->setUnavailableReason(sentence, (failed || doubt) && !busy());
   QString trouble = trouble_;
-  if (trouble.isEmpty() && drafts_) trouble = drafts_->trouble();
-  if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;
-  dock_->setSaving(busy_, maySave(), editing_.isOpen() ? trouble : QString());
-  dock_->setOffer(drafts_ && editing_.isOpen() ? drafts_->offer() : QString());
-  updateDecision(editing_.document().conflicts().empty() ? QString() : decideText());
+  if (trouble.isEmpty()) trouble = draftTroubleText();
+  if (trouble.isEmpty() && editing_.isOpen() && failed) trouble = sentence;
+  dock_->setSaving(busy(), maySave(), editing_.isOpen() ? trouble : QString());
+  dock_->setOffer(editing_.isOpen() ? offerText() : QString());
+  updateDecision(overlays_ && overlays_->inConflict() ? decideText() : QString());
   tool_->setUnavailableReason(sentence);
-  const bool usable = target_.has_value();
+  const bool usable = overlays_ != nullptr;
   allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   updateUnsaved();
   history_dock_->openChanged();
 }
 
-void OverlaysController::watchDrafts() {
-  MapDrafts::Kind kind{
-      .of = {session_->robot().address(), QString::fromStdString(map::toText(target_->map) + target_->uid),
-             QStringLiteral("overlays")},
-      .offer = tr("There is an unsaved draft of the overlays of this map from %1: %2."),
-      .not_backed = tr("Changes to the overlays are not backed up: save them soon. %1"),
-      .lost = tr("The changes to the overlays are lost. %1")};
-  kind.content = [this, of = kind.of]() -> edit::DraftKeeper::Job {
-    if (!unsaved()) return {};
-    return [of, draft = OverlayDraft{context_.edit.now(), editing_.document().draftBase(),
-                                     editing_.document().mine()}] { return overlayDraftBytes(of, draft); };
-  };
-  kind.read = [](const QByteArray& bytes) -> std::optional<MapDrafts::Draft> {
-    auto draft = overlayDraftFrom(bytes);
-    if (!draft) return std::nullopt;
-    const auto changes = qsizetype(overlays::changesBetween(draft->base, draft->mine).size());
-    return MapDrafts::Draft{draft->made, overlayChangesText(changes), std::move(*draft)};
-  };
-  kind.unsaved = [this] { return unsaved(); };
-  openDrafts(dock_, std::move(kind));
+EditorController::DraftWords OverlaysController::draftWords() const {
+  return {tr("There is an unsaved draft of the overlays of this map from %1: %2."),
+          tr("Changes to the overlays are not backed up: save them soon. %1"),
+          tr("The changes to the overlays are lost. %1")};
 }
 
-void OverlaysController::restoreDraft() {
-  if (!drafts_ || !drafts_->offered() || !editing_.editable()) return;
-  MapDrafts::Left left = drafts_->take();
-  drafts_->replace(std::move(left.file));
-  const auto& draft = std::any_cast<const OverlayDraft&>(left.draft.content);
-  editing_.restoreDraft(draft.base, draft.mine, tr("restore the draft"));
-  if (!editing_.document().conflicts().empty()) {
-    context_.panels.open(dock_);
-    dock_->showConflicts();
-  }
-}
+QString OverlaysController::amountText(qsizetype changes) const { return overlayChangesText(changes); }
 
 void OverlaysController::locate(FeatureKey key) {
   const Feature* const feature = editing_.find(key);
@@ -612,12 +559,13 @@ void OverlaysController::locate(FeatureKey key) {
 }
 
 QString OverlaysController::mapName() const {
-  if (!session_ || !target_) return {};
-  const map::CatalogueEntry* const entry = session_->catalogue().find(target_->map);
-  if (entry) return mapCalled(QString::fromStdString(entry->name), target_->map);
+  const Target* const open = openTarget();
+  if (!session_ || !open) return {};
+  const map::CatalogueEntry* const entry = session_->catalogue().find(open->map);
+  if (entry) return mapCalled(QString::fromStdString(entry->name), open->map);
   const auto& info = session_->live().map_info;
-  return mapCalled(target_->robots && info ? QString::fromStdString(info->name) : session_->wholeMap().name(),
-                   target_->map);
+  return mapCalled(open->robots && info ? QString::fromStdString(info->name) : session_->wholeMap().name(),
+                   open->map);
 }
 
 EditorController::LeaveQuestion OverlaysController::leaveQuestion() const {

@@ -11,10 +11,10 @@
 
 #include "jobs/change_overlays.h"
 #include "overlays/overlay_check.h"
-#include "robot/overlay_store.h"
 #include "ui/overlays/overlay_editing.h"
 #include "ui/overlays/overlay_history.h"
 #include "ui/overlays/overlay_marks.h"
+#include "ui/overlays/overlay_session.h"
 #include "ui/overlays/overlays_on_map.h"
 #include "ui/shell/editor_controller.h"
 #include "work/workers.h"
@@ -38,10 +38,10 @@ class OverlaysController : public EditorController {
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
-  bool unsaved() const override { return editing_.isOpen() && editing_.document().unsaved(); }
-  bool maySave() const override { return unsaved() && !busy_ && !broken(); }
+  bool maySave() const override { return unsaved() && !busy() && !overlays_->isBroken(); }
   /// Looks at what the robot holds, and shows the review.
   void save() override;
+  edit::EditSession* edited() const override { return overlays_.get(); }
 
   OverlayEditing* editing() { return &editing_; }
   OverlayTool* tool() const { return tool_; }
@@ -55,7 +55,7 @@ class OverlaysController : public EditorController {
   const OverlayMarks& states() const { return states_; }
   OverlayReview* review() const;  // null: none is open
   /// Something is on its way to or from the robot that has to end first.
-  bool busy() const { return busy_; }
+  bool busy() const { return overlays_ && overlays_->saving(); }
   /// The flaws shown are those of the overlays as they are.
   bool checked() const { return !checking_ && !check_again_; }
 
@@ -64,40 +64,37 @@ class OverlaysController : public EditorController {
   void fileWritten();
 
  private:
-  /// Whose overlays can be edited now.
-  struct Target {
-    map::MapKey map;
-    bool robots = false;   // the robot is in it
-    std::string uid = {};  // of one that is not stored
-    bool operator==(const Target&) const = default;
-  };
+  using Target = OverlaySession::Target;
+  DraftWords draftWords() const override;
+  QString amountText(qsizetype changes) const override;
   LeaveQuestion leaveQuestion() const override;
   void finishInput() override;
   void discardAll(std::function<void()> then) override;
   void syncMap() override;
   void closeMap() override;
   void addActions();
+  /// Whose overlays can be edited now.
   std::optional<Target> target() const;
+  const Target* openTarget() const { return overlays_ ? &overlays_->target() : nullptr; }
+  void openTargetNow(Target target);
   /// A file with overlays was opened: they are what it is about.
   bool ofFile() const;
-  /// What is held cannot be read: nothing can be merged with it.
-  bool broken() const { return failure_ && failure_->kind == map::FailureKind::MalformedAnswer; }
   bool wanted() const;
   void read();
-  /// What the robot holds now comes below what is here. `saved`: what was sent from here is in it.
-  void mergeHeld(const robot::OverlayText& text, bool saved);
-  void rebase(const overlays::OverlayDocument& held);
+  void onSeen(const robot::OverlayText& text, bool sent);
+  void onDoubtSettled(bool stored);
   /// Looks for the review, or sends what was reviewed.
   void carryOut(bool send);
   /// The robot tells that its overlays are those that were looked at. Of maps that it is not in it tells
   /// nothing.
   bool isStillHeld() const;
   void showReview();
-  void onOutcome(const robot::Outcome<jobs::OverlayOutcome>& outcome, bool sent);
+  void onOutcome(const jobs::OverlayOutcome& outcome, bool sent);
+  void onFailed(const map::Failure& failure);
+  void readIfChanged();
   /// Somebody else did the same, or what was sent and never answered turns out to be there.
   void reportHeld();
   void onLink();
-  void setBusy(bool busy);
   void notSaved(const QString& sentence);
   QString decideText() const;
   void askToDecide();
@@ -115,8 +112,7 @@ class OverlaysController : public EditorController {
   void showWay(FeatureKey key);
   void refresh();
   QString unavailableReason() const;
-  void watchDrafts();
-  void restoreDraft();
+  QString unreadableText() const;
   void locate(FeatureKey key);
   QString mapName() const;
   void addHistory();
@@ -134,15 +130,10 @@ class OverlaysController : public EditorController {
   OverlayMarks marks_, way_, states_;
   OverlayHistoryDock* history_dock_;
   QAction* tool_action_ = nullptr;
-  std::optional<Target> target_;
-  robot::Call call_;
-  bool reading_ = false, read_again_ = false, busy_ = false;
-  std::optional<map::Failure> failure_;  // of the last reading
-  bool doubt_ = false;                   // it is not known whether what was sent was applied
+  std::unique_ptr<OverlaySession> overlays_;  // of the map that can be edited; null: none can
   bool online_ = false;
-  robot::OverlayText held_;  // that was read last
-  QString trouble_;          // of saving
-  quint64 opened_ = 0;       // counts maps: results about earlier ones are ignored
+  QString trouble_;     // of saving
+  quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored
   QPointer<OverlayReview> review_;
   bool checking_ = false, check_again_ = false;
   std::shared_ptr<const grids::GridPyramid> checked_cells_;  // of the map that was checked last

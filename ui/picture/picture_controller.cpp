@@ -19,7 +19,6 @@
 #include "ui/kit/undo_stacks.h"
 #include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_dock.h"
-#include "ui/picture/picture_drafts.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -57,7 +56,6 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   connect(&editing_, &PictureEditing::previewChanged, this, &PictureController::showCells);
   connect(&editing_, &PictureEditing::stateChanged, this, [this] {
     onEdited();
-    if (drafts_) drafts_->touch();
     refresh();
     if (when_reverted_ && !editing_.reckoning())
       QMetaObject::invokeMethod(this, std::exchange(when_reverted_, nullptr), Qt::QueuedConnection);
@@ -66,7 +64,6 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   const std::size_t undo_mb =
       std::clamp<std::size_t>(context_.settings.value(kUndoMb, kUsualUndoMb).toUInt(), 16, 65'536);
   editing_.setUndoBudget(undo_mb << 20);
-  connect(&editing_, &PictureEditing::mergeDone, this, &PictureController::onMerged);
   connect(tool_, &PictureTool::activated, this, [this] {
     wanted_map_ = mapInstead();
     if (wanted_map_) session_->openMap(map::MapKey(*wanted_map_));
@@ -88,17 +85,19 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   });
   connect(dock_, &PictureDock::mapWanted, this, [this] { context_.view.setFocus(); });
   connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
-  connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
+  connect(dock_, &PictureDock::stopSavingWanted, this, [this] {
+    if (picture_) picture_->cancelSaving();
+  });
   connect(dock_, &PictureDock::discardWanted, this, [this] {
-    doubt_.reset();  // whether it was stored does not matter any more
+    if (picture_) picture_->endDoubt();
     editing_.revert();
   });
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
   connect(dock_, &PictureDock::copiesWanted, this, &PictureController::showCopies);
-  connect(dock_, &PictureDock::draftWanted, this, &PictureController::restoreDraft);
-  connect(dock_, &PictureDock::draftNotWanted, this, [this] {
-    if (drafts_) drafts_->turnDown();
+  connect(dock_, &PictureDock::draftWanted, this, [this] {
+    if (picture_) picture_->restoreDraft(tr("restore the draft"));
   });
+  connect(dock_, &PictureDock::draftNotWanted, this, &PictureController::turnDownDraft);
   connect(dock_, &PictureDock::locateConflictWanted, this, [this] {
     const geometry::WorldRect where = editing_.whereConflicts();
     if (!where.empty()) context_.view.fit(where.grown(1), true);
@@ -138,7 +137,6 @@ void PictureController::addActions() {
 
 void PictureController::setSession(session::Session* session) {
   EditorController::setSession(session);
-  doubt_.reset();
   wanted_map_.reset();
   if (cell_check_.stop) cell_check_.stop->store(true);
   cell_check_ = {};
@@ -150,24 +148,25 @@ void PictureController::syncMap() {
   const MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
   if (slot && slot->cells() && session_->robot().pictureStore()) key = slot->shown().key;
-  if (key != open_map_) {
-    if (open_map_ && editing_.unsaved() && drafts_ && !leavingAllowed())
-      reportLeftMap(*open_map_,
-                    tr("The unsaved changes to the map %1 are kept as a draft.").arg(nameOf(*open_map_)));
+  if (picture_ && key != picture_->map()) {
+    if (unsaved() && keepsDraft() && !leavingAllowed())
+      reportLeftMap(
+          picture_->map(),
+          tr("The unsaved changes to the map %1 are kept as a draft.").arg(nameOf(picture_->map())));
     closeMap();
   }
   const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->cells()->complete() &&
                      !slot->broken() && slot->key() == *key;
-  if (open_map_ && slot->phase() == MapSlot::Phase::Failed && doubt_)
+  if (picture_ && slot->phase() == MapSlot::Phase::Failed && picture_->inDoubt())
     reportDoubt(Mark::Warning,
                 tr("It is still not known whether %1 was saved: its picture on the robot cannot "
                    "be loaded."));
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
-    if (!open_map_) {
+    if (!picture_) {
       onMapOpened(key);
       openOnceChecked(*slot);
-    } else if (slot->cells() != seen_ && !saving_) {
-      onOtherPicture(*slot);
+    } else {
+      picture_->onRead(pictureOf(*slot));
     }
   }
   refresh();
@@ -198,96 +197,71 @@ void PictureController::openOnceChecked(const MapSlot& slot) {
   });
 }
 
+PictureSession::Picture PictureController::pictureOf(const MapSlot& slot) const {
+  return {slot.cells(), slot.reference(), slot.shown().fingerprint,
+          session_->robot().pictureStore()->holdsUnknown(slot.shown())};
+}
+
 void PictureController::openMap(const MapSlot& slot) {
   cell_check_ = {};
-  open_map_ = slot.shown().key;
-  seen_ = slot.cells();
-  revision_ = slot.shown().fingerprint;
-  past_revisions_.clear();
   forgetting_reported_ = false;
   ++opened_;
-  editing_.open(seen_, slot.reference(), session_->robot().pictureStore()->holdsUnknown(slot.shown()));
-  watchDrafts();
-}
-
-void PictureController::closeMap() {
-  if (!open_map_) return;
-  editing_.endStroke();  // it is kept with the rest
-  if (shown_) context_.scene.setEditedCells(*open_map_, nullptr);
-  shown_ = saving_ = again_ = false;
-  dock_->setTravelled(std::nullopt);
-  trouble_.clear();
-  copy_.clear();
-  conflicts_reported_ = false;
-  seen_.reset();
-  open_map_.reset();
-  ++opened_;
-  stay();
-  when_reverted_ = nullptr;
-  doubt_.reset();
-  if (stop_reading_) stop_reading_->store(true);
-  closeDrafts();
-  editing_.close();
-}
-
-void PictureController::watchDrafts() {
-  MapDrafts::Kind kind{.of = {session_->robot().address(), QString::fromStdString(map::toText(*open_map_)),
-                              QStringLiteral("picture")},
-                       .offer = tr("There is an unsaved draft of this map from %1: %2."),
-                       .not_backed = tr("Changes to the map are not backed up: save them soon. %1"),
-                       .lost = tr("The changes to the map are lost. %1")};
-  kind.content = [this, of = kind.of]() -> edit::DraftKeeper::Job {
-    if (!editing_.isOpen() || !editing_.unsaved()) return {};
-    return [of, made = context_.edit.now(), now = editing_.snapshot(), saved = editing_.saved()] {
-      return pictureDraftBytes(of, made, *now, *saved);
-    };
-  };
-  kind.read = [grid = editing_.snapshot()](const QByteArray& bytes) -> std::optional<MapDrafts::Draft> {
-    auto draft = pictureDraftFrom(bytes);
-    const auto taken = draft ? window::restoreDraft(*draft, *grid) : std::nullopt;
-    if (!taken) return std::nullopt;
-    return MapDrafts::Draft{draft->made, cellsText(taken->cells), std::move(*draft), taken->cells == 0};
-  };
-  kind.unsaved = [this] { return editing_.unsaved(); };
-  openDrafts(dock_, std::move(kind));
-}
-
-void PictureController::restoreDraft() {
-  if (!drafts_ || !drafts_->offered() || !editing_.isOpen()) return;
-  MapDrafts::Left left = drafts_->take();
-  auto taken = window::restoreDraft(std::any_cast<const PictureDraft&>(left.draft.content), *editing_.grid());
-  if (!taken) return;
-  drafts_->replace(std::move(left.file));
-  editing_.applyPatch(std::move(taken->patch), tr("restore the draft"));
-  if (taken->elsewhere > 0)
+  picture_ = std::make_unique<PictureSession>(
+      [this] { return session_ ? session_->robot().pictureStore() : nullptr; }, slot.shown().key,
+      session_->robot().address(), pictureOf(slot), editing_, context_.edit);
+  PictureSession* const opened = picture_.get();
+  connect(opened, &PictureSession::changed, this, &PictureController::syncMap);
+  followDrafts(*opened, dock_);
+  connect(opened, &PictureSession::saved, this, [this] { onAllSaved(); });
+  connect(opened, &PictureSession::progressed, this, [this](double share) { dock_->setTravelled(share); });
+  connect(opened, &PictureSession::notCopied, this, [this](const Fault& trouble) {
+    reportNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
+                         .arg(sentences::wordsOf(trouble)));
+    syncMap();
+  });
+  connect(opened, &PictureSession::ended, this, &PictureController::onEnded);
+  connect(opened, &PictureSession::merged, this, &PictureController::onMerged);
+  connect(opened, &PictureSession::replaced, this, &PictureController::onReplaced);
+  connect(opened, &PictureSession::doubtSettled, this, &PictureController::onDoubtSettled);
+  connect(opened, &PictureSession::restored, this, [this](qint64 elsewhere) {
+    if (elsewhere == 0) return;
     context_.overlay.toasts()->add(
         Mark::Warning, tr("Since this draft was made, someone else has also changed these parts of the map: "
                           "%1. Your changes are shown; use undo to see the others.")
-                           .arg(cellsText(taken->elsewhere)));
+                           .arg(cellsText(elsewhere)));
+  });
 }
 
-/// The same map has arrived with another picture: saved here, or changed by someone else.
-void PictureController::onOtherPicture(const MapSlot& slot) {
-  seen_ = slot.cells();
-  const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
-  if (fits && editing_.touched()) {
-    const std::string& revision = slot.shown().fingerprint;
-    // A picture saved here comes back, possibly after a later save; and so may the one before it, which was
-    // being read meanwhile. What is read comes in order: an older one after the latest is someone's change.
-    const bool latest = revision == revision_;
-    const bool known = latest || past_revisions_.contains(revision);
-    if (latest || !known) past_revisions_.clear();
-    if (known && !editing_.merging()) return again_ ? onMerged(0, revision_) : settleDoubt();
-    editing_.mergeTheirs(seen_, revision);
-    return;
-  }
-  editing_.endStroke();
-  const std::int64_t lost = editing_.changedCells();
-  if (std::exchange(shown_, false)) context_.scene.setEditedCells(*open_map_, nullptr);
-  saving_ = again_ = false;
+void PictureController::closeMap() {
+  if (!picture_) return;
+  editing_.endStroke();  // it is kept with the rest
+  if (shown_) context_.scene.setEditedCells(picture_->map(), nullptr);
+  shown_ = false;
+  dock_->setTravelled(std::nullopt);
   trouble_.clear();
-  openMap(slot);
-  settleDoubt();
+  conflicts_reported_ = false;
+  ++opened_;
+  stay();
+  when_reverted_ = nullptr;
+  if (stop_reading_) stop_reading_->store(true);
+  leaveDraft();
+  picture_->disconnect(this);
+  picture_.reset();
+}
+
+EditorController::DraftWords PictureController::draftWords() const {
+  return {tr("There is an unsaved draft of this map from %1: %2."),
+          tr("Changes to the map are not backed up: save them soon. %1"),
+          tr("The changes to the map are lost. %1")};
+}
+
+QString PictureController::amountText(qsizetype changes) const { return cellsText(changes); }
+
+void PictureController::onReplaced(qint64 lost) {
+  ++opened_;
+  forgetting_reported_ = false;
+  trouble_.clear();
+  if (std::exchange(shown_, false)) context_.scene.setEditedCells(picture_->map(), nullptr);
   if (lost > 0)
     context_.overlay.toasts()->add(Mark::Bad, tr("The map was replaced by one of another size or position. "
                                                  "The unsaved changes do not fit it and were discarded: %1.")
@@ -295,12 +269,12 @@ void PictureController::onOtherPicture(const MapSlot& slot) {
 }
 
 void PictureController::showCells() {
-  if (!open_map_) return;
+  if (!picture_) return;
   shown_ = true;
   const auto& preview = editing_.preview();
   std::shared_ptr<const grids::GridPyramid> cells = editing_.grid();
   if (preview) cells = preview->cells;
-  context_.scene.setEditedCells(*open_map_, std::move(cells));
+  context_.scene.setEditedCells(picture_->map(), std::move(cells));
 }
 
 std::optional<map::MapKey> PictureController::mapInstead() const {
@@ -362,8 +336,8 @@ QString PictureController::unavailableReason() const {
 void PictureController::refresh() {
   const QString sentence = unavailableReason();
   dock_->setUnavailableReason(sentence);
-  dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
-  dock_->setOffer(drafts_ ? drafts_->offer() : QString());
+  dock_->setSaving(saving(), trouble_.isEmpty() ? draftTroubleText() : trouble_);
+  dock_->setOffer(offerText());
   updateDecision(editing_.conflicts() > 0 ? decideText() : QString());
   const bool usable = sentence.isEmpty() || mapInstead() || opening();
   allow(tool_action_, usable, sentence);
@@ -379,10 +353,10 @@ QString PictureController::decideText() {
 
 void PictureController::save() {
   finishInput();
-  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
-  if (editing_.conflicts() > 0) return askToDecide(dock_, decideText());
+  if (saving() || !unsaved() || !session_) return;
+  if (picture_->inConflict()) return askToDecide(dock_, decideText());
   // A robot drives by it from then on.
-  session_->robot().isLocal() ? send() : askToSend();
+  session_->robot().isLocal() ? send({}) : askToSend();
 }
 
 void PictureController::askToSend() {
@@ -410,36 +384,18 @@ void PictureController::askToSend() {
     QMessageBox* const asked = std::exchange(sending_question_, nullptr);
     if (asked->clickedButton() == send_button && opened == opened_) {
       const QString folder = copiesHere();
-      copy_ = folder.isEmpty() ? QString() : copyPath(folder, context_.edit.now());
-      return send();
+      return send(folder.isEmpty() ? QString() : copyPath(folder, context_.edit.now()));
     }
     stay();
   });
   sending_question_->open();
 }
 
-void PictureController::send() {
-  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
-  if (editing_.conflicts() > 0) return askToDecide(dock_, decideText());
-  if (editing_.merging()) {
-    again_ = true;  // it would be refused: the stored picture has already changed
-    return;
-  }
-  if (!session_->robot().pictureStore()) return;
-  saving_ = true;
+void PictureController::send(const QString& copy) {
+  if (!picture_) return;
+  if (picture_->inConflict()) return askToDecide(dock_, decideText());
   trouble_.clear();
-  refresh();
-  if (copy_.isEmpty()) return write();
-  share_.startLong(
-      [this, path = copy_, cells = editing_.saved(), place = editing_.reference(), opened = opened_] {
-        const auto trouble = keepCopy(*cells, place, path);
-        QMetaObject::invokeMethod(
-            this,
-            [this, trouble, opened] {
-              if (opened == opened_) onCopied(trouble);
-            },
-            Qt::QueuedConnection);
-      });
+  picture_->send(copy);
 }
 
 QString PictureController::copiesHere() const {
@@ -489,7 +445,7 @@ QString PictureController::notPutBackReason(const PictureCopy& copy) const {
     const QString why = unavailableReason();
     return why.isEmpty() ? tr("The map is loading.") : why;
   }
-  return saving_ ? tr("The map is being saved.") : QString();
+  return saving() ? tr("The map is being saved.") : QString();
 }
 
 void PictureController::putBack(const PictureCopy& copy) {
@@ -527,13 +483,13 @@ void PictureController::onCopyRead(const QString& when, const tl::expected<ReadC
 void PictureController::turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when) {
   editing_.endStroke();
   share_.startLong([this, cells = std::move(cells), when, stop = stop_reading_, now = editing_.snapshot(),
-                    step = editing_.undoStack().index(), revision = revision_, opened = opened_] {
+                    step = editing_.undoStack().index(), revision = picture_->revision(), opened = opened_] {
     const auto patch = std::make_shared<picture::Patch>(picture::differenceTo(*now, *cells, stop.get()));
     QMetaObject::invokeMethod(
         this,
         [this, cells, when, patch, step, revision, opened] {
           if (opened != opened_) return;
-          const bool changed = step != editing_.undoStack().index() || revision != revision_ ||
+          const bool changed = step != editing_.undoStack().index() || revision != picture_->revision() ||
                                editing_.stroking() || editing_.reckoning() || editing_.merging();
           if (changed) return turnInto(cells, when);
           const bool any = !patch->empty();
@@ -548,16 +504,6 @@ void PictureController::turnInto(std::shared_ptr<const grids::GridPyramid> cells
   });
 }
 
-/// Without a backup nothing is overwritten.
-void PictureController::onCopied(const std::optional<Fault>& trouble) {
-  if (!saving_) return;
-  if (!trouble) return write();
-  saving_ = false;
-  reportNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
-                       .arg(sentences::wordsOf(*trouble)));
-  syncMap();
-}
-
 void PictureController::reportNotWritten(const QString& sentence, map::Applied applied) {
   stay();
   trouble_ = sentence;
@@ -565,103 +511,58 @@ void PictureController::reportNotWritten(const QString& sentence, map::Applied a
                applied == map::Applied::No ? tr("The map was not saved. %1").arg(trouble_) : trouble_);
 }
 
-/// The picture on the robot was read again after it was sent with an unknown result.
-void PictureController::settleDoubt() {
-  if (!doubt_) return;
-  share_.startLong([this, doubt = *doubt_, now = editing_.saved(), opened = opened_] {
-    const auto same = [&](const picture::EditedGrid& one) {
-      return picture::sameShape(one, *now) && picture::DifferenceCount::between(one, *now).cells == 0;
-    };
-    const bool stored = same(*doubt.sent), before = !stored && same(*doubt.before);
-    QMetaObject::invokeMethod(
-        this,
-        [this, stored, before, sent = doubt.sent, opened] {
-          if (opened != opened_ || !doubt_ || doubt_->sent != sent) return;
-          stored   ? reportDoubt(Mark::Good, tr("%1 was saved: the robot has the new picture."))
-          : before ? reportDoubt(Mark::Bad, tr("%1 was not saved: the robot has the same picture as before."))
-                   : reportDoubt(Mark::Warning, tr("%1 was not saved as it was sent: the robot has another "
-                                                   "picture."));
-          if (stored) doubt_.reset();
-        },
-        Qt::QueuedConnection);
-  });
+void PictureController::onDoubtSettled(PictureSession::DoubtEnd end) {
+  switch (end) {
+    case PictureSession::DoubtEnd::Stored:
+      return reportDoubt(Mark::Good, tr("%1 was saved: the robot has the new picture."));
+    case PictureSession::DoubtEnd::AsBefore:
+      return reportDoubt(Mark::Bad, tr("%1 was not saved: the robot has the same picture as before."));
+    case PictureSession::DoubtEnd::Other:
+      return reportDoubt(Mark::Warning,
+                         tr("%1 was not saved as it was sent: the robot has another picture."));
+  }
 }
 
 /// Once for each finding.
 void PictureController::reportDoubt(Mark mark, const QString& sentence) {
-  if (std::exchange(doubt_->reported, sentence) == sentence) return;
+  if (std::exchange(doubt_reported_, sentence) == sentence) return;
   trouble_ = mark == Mark::Good ? QString() : sentence.arg(mapName());
   reportSaving(mark, sentence.arg(mapName()));
   refresh();
 }
 
-void PictureController::write() {
-  robot::PictureStore* const store = session_->robot().pictureStore();
-  if (!store) {
-    saving_ = false;
-    return refresh();
-  }
-  const auto cells = editing_.snapshot();
-  before_ = editing_.saved();
-  write_call_ = store->write({*open_map_, cells, revision_},
-                             [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
-                               if (opened == opened_) onWritten(cells, outcome);
-                             });
-  write_call_.onProgress([this, opened = opened_](robot::Progress progress) {
-    if (opened != opened_ || !saving_ || !progress.of_bytes || *progress.of_bytes <= 0) return;
-    dock_->setTravelled(double(progress.bytes) / double(*progress.of_bytes));
-  });
-  refresh();
+void PictureController::onSaved(const QString& copy) {
+  Q_EMIT written();
+  if (copy.isEmpty()) return reportSaving(Mark::Good, tr("%1 saved").arg(mapName()));
+  reportSaving(Mark::Good,
+               tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy)),
+               {tr("Open it"), [this, copy] { Q_EMIT fileWanted(copy); }});
 }
 
-void PictureController::onWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
-                                  const robot::Outcome<robot::PictureReceipt>& outcome) {
-  saving_ = false;
+void PictureController::onEnded(const std::optional<map::Failure>& failure, const QString& copy) {
   dock_->setTravelled(std::nullopt);
-  const bool unknown = !outcome && outcome.error().applied == map::Applied::Maybe;
-  if (outcome) {
-    past_revisions_.insert(std::exchange(revision_, outcome->revision));
-    Q_EMIT written();
-    editing_.markSaved(cells);
-    if (copy_.isEmpty()) {
-      reportSaving(Mark::Good, tr("%1 saved").arg(mapName()));
-    } else {
-      reportSaving(Mark::Good,
-                   tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
-                   {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
-    }
-    onAllSaved();
-  } else if (outcome.error().kind == map::FailureKind::Conflict) {
-    again_ = true;
+  doubt_reported_.clear();
+  if (!failure) return onSaved(copy);
+  if (failure->kind == map::FailureKind::Conflict) {
     trouble_ = tr("It was changed elsewhere in the meantime and is being reloaded.");
-  } else if (outcome.error().kind == map::FailureKind::Cancelled &&
-             outcome.error().applied == map::Applied::No) {
+  } else if (failure->kind == map::FailureKind::Cancelled && failure->applied == map::Applied::No) {
     stay();
-  } else if (unknown) {
+  } else if (failure->applied == map::Applied::Maybe) {
     reportNotWritten(tr("It is not known whether %1 was saved. %2 A message will say so once its picture has "
                         "been read again.")
-                         .arg(mapName(), QString::fromStdString(sentences::failureReason(outcome.error()))),
+                         .arg(mapName(), QString::fromStdString(sentences::failureReason(*failure))),
                      map::Applied::Maybe);
   } else {
-    reportNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())), outcome.error().applied);
+    reportNotWritten(QString::fromStdString(sentences::sentenceOf(*failure)), failure->applied);
   }
-  // Changes that arrived during the write were ignored.
-  syncMap();
-  // What was read before this says nothing about it.
-  doubt_ = unknown ? std::optional(Doubt{cells, before_}) : std::nullopt;
 }
 
-void PictureController::onMerged(qint64 taken, const std::string& revision) {
-  revision_ = revision;
+void PictureController::onMerged(qint64 cells, bool again) {
   trouble_.clear();
-  const bool again = std::exchange(again_, false);
-  settleDoubt();
-  if (editing_.conflicts() == 0) conflicts_reported_ = false;
-  if (editing_.conflicts() > 0) {
+  if (!picture_->inConflict()) conflicts_reported_ = false;
+  if (picture_->inConflict()) {
     if (!std::exchange(conflicts_reported_, true) || again) askToDecide(dock_, decideText());
-  } else if (again) {
-    editing_.unsaved() ? send() : onAllSaved();
-  } else if (taken > 0) {
+  } else if (cells > 0 && !again) {
     const QString told = tr("%1 was changed elsewhere. The two versions were merged.").arg(mapName());
     // Someone painting there causes this with every stroke.
     if (!context_.overlay.toasts()->texts().contains(told))

@@ -5,16 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
-#include <string>
 
 #include <QMessageBox>
 #include <QPointer>
 
-#include "robot/picture_store.h"
 #include "ui/kit/status_text.h"
 #include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_editing.h"
+#include "ui/picture/picture_session.h"
 #include "ui/shell/editor_controller.h"
 
 namespace mapwright::window {
@@ -30,8 +28,8 @@ class PictureController : public EditorController {
   ~PictureController() override;
 
   void setSession(session::Session* session) override;
-  bool unsaved() const override { return editing_.unsaved(); }
   void save() override;
+  edit::EditSession* edited() const override { return picture_.get(); }
   bool escape() override;
 
   PictureEditing* editing() { return &editing_; }
@@ -40,7 +38,7 @@ class PictureController : public EditorController {
   /// Before a robot's map is overwritten; null: nothing is asked.
   QMessageBox* sendingQuestion() const { return sending_question_; }
   CopiesDialog* copiesDialog() const;  // null: none is open
-  bool saving() const { return saving_; }
+  bool saving() const { return picture_ && picture_->saving(); }
   /// Addresses of robots, and what these are called.
   using Named = std::vector<std::pair<QString, QString>>;
   void setNamed(std::function<Named()> named) { named_ = std::move(named); }
@@ -54,6 +52,8 @@ class PictureController : public EditorController {
   void fileWanted(const QString& path);
 
  private:
+  DraftWords draftWords() const override;
+  QString amountText(qsizetype changes) const override;
   LeaveQuestion leaveQuestion() const override;
   void finishInput() override { editing_.endStroke(); }
   void discardAll(std::function<void()> then) override;
@@ -63,20 +63,19 @@ class PictureController : public EditorController {
   void reportForgotten();
   void openOnceChecked(const session::MapSlot& slot);
   void openMap(const session::MapSlot& slot);
-  void onOtherPicture(const session::MapSlot& slot);
+  PictureSession::Picture pictureOf(const session::MapSlot& slot) const;
+  void onReplaced(qint64 lost);
   void showCells();
   void refresh();
   QString unavailableReason() const;
-  void onWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
-                 const robot::Outcome<robot::PictureReceipt>& outcome);
-  void onMerged(qint64 taken, const std::string& revision);
+  void onSaved(const QString& copy);
+  void onEnded(const std::optional<map::Failure>& failure, const QString& copy);
+  void onMerged(qint64 cells, bool again);
   static QString decideText();
   void askToSend();
-  void send();
-  void write();
-  void onCopied(const std::optional<Fault>& trouble);
+  void send(const QString& copy);
   void reportNotWritten(const QString& sentence, map::Applied applied = map::Applied::No);
-  void settleDoubt();
+  void onDoubtSettled(PictureSession::DoubtEnd end);
   void reportDoubt(Mark mark, const QString& sentence);
   QString copiesHere() const;
   void showCopies();
@@ -84,8 +83,6 @@ class PictureController : public EditorController {
   void putBack(const PictureCopy& copy);
   void onCopyRead(const QString& when, const tl::expected<ReadCopy, QString>& read);
   void turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when);
-  void watchDrafts();
-  void restoreDraft();
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;
@@ -95,26 +92,14 @@ class PictureController : public EditorController {
   PictureTool* tool_;
   PictureDock* dock_;
   QAction* tool_action_ = nullptr;
-  std::optional<map::MapKey> open_map_;
-  std::optional<map::MapKey> wanted_map_;  // requested by the tool
-  robot::Call write_call_;
+  std::unique_ptr<PictureSession> picture_;  // null: none is open
+  std::optional<map::MapKey> wanted_map_;    // requested by the tool
   bool forgetting_reported_ = false;
-  /// A picture was sent, and it is not known whether the robot stored it.
-  struct Doubt {
-    std::shared_ptr<const picture::EditedGrid> sent, before;
-    QString reported = {};  // what was found
-  };
-  std::optional<Doubt> doubt_;
-  std::shared_ptr<const picture::EditedGrid> before_;  // on the robot when it was sent last
-  std::shared_ptr<const grids::GridPyramid> seen_;     // of the last map received
-  std::string revision_;                               // of what is saved
-  std::set<std::string> past_revisions_;               // replaced by saving here; may still be on their way
-  bool shown_ = false;                                 // the edited cells are drawn
-  bool saving_ = false, again_ = false;                // again: saves once more after merging theirs
-  bool conflicts_reported_ = false;                    // only once, however often others paint there
-  quint64 opened_ = 0;                                 // counts maps: results about earlier ones are ignored
-  QString trouble_;                                    // of saving
-  QString copy_;                                       // of the robot's picture; empty: none
+  QString doubt_reported_;           // what was found of a doubt
+  bool shown_ = false;               // the edited cells are drawn
+  bool conflicts_reported_ = false;  // only once, however often others paint there
+  quint64 opened_ = 0;               // counts maps: results about earlier ones are ignored
+  QString trouble_;                  // of saving
   QPointer<QMessageBox> sending_question_;
   QPointer<CopiesDialog> copies_;
   std::function<Named()> named_;

@@ -60,7 +60,7 @@ void EditorController::answer(Leaving leaving) {
     discardAll(then);
   } else if (!keepsDraft()) {
     return;
-  } else if (const auto trouble = writeDraft()) {
+  } else if (const auto trouble = edited()->drafts()->keep()) {
     context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
   } else {
     may_leave_ = true;
@@ -96,17 +96,45 @@ void EditorController::updateUnsaved() {
   if (was_unsaved != was_unsaved_ || could_save != could_save_) Q_EMIT unsavedChanged();
 }
 
-void EditorController::openDrafts(QDockWidget* panel, MapDrafts::Kind kind) {
-  drafts_.reset();
+bool EditorController::unsaved() const { return edited() && edited()->unsaved(); }
+
+void EditorController::followDrafts(edit::EditSession& session, QDockWidget* panel) {
   may_leave_ = false;
-  if (context_.edit.drafts_folder.isEmpty()) return;
-  drafts_ = std::make_unique<MapDrafts>(context_, panel, std::move(kind));
-  connect(drafts_.get(), &MapDrafts::changed, this, &EditorController::syncMap);
+  announced_.clear();
+  connect(&session, &edit::EditSession::remarked, this, [this](const Fault& remark) {
+    context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
+  });
+  if (!panel) return;
+  connect(&session, &edit::EditSession::changed, this, [this, panel] {
+    const QString offer = offerText();
+    if (std::exchange(announced_, offer) == offer || offer.isEmpty()) return;
+    context_.overlay.toasts()->add(Mark::Neutral, offer,
+                                   {tr("Show"), [this, panel] { context_.panels.open(panel); }});
+  });
 }
 
-void EditorController::closeDrafts() {
-  if (drafts_) drafts_->keepOrTell();
-  drafts_.reset();
+void EditorController::leaveDraft() {
+  if (!keepsDraft() || !unsaved()) return;
+  if (const auto trouble = edited()->drafts()->keep())
+    context_.overlay.toasts()->add(Mark::Bad, draftWords().lost.arg(sentences::wordsOf(*trouble)));
+}
+
+bool EditorController::keepsDraft() const { return edited() && edited()->drafts(); }
+
+QString EditorController::draftTroubleText() const {
+  const Fault trouble = keepsDraft() ? edited()->drafts()->trouble() : Fault();
+  return trouble.any() ? draftWords().not_backed.arg(sentences::wordsOf(trouble)) : QString();
+}
+
+QString EditorController::offerText() const {
+  const edit::Draft* const draft = keepsDraft() ? edited()->drafts()->offered() : nullptr;
+  if (!draft) return {};
+  return draftWords().offer.arg(draftTimeText(draft->made, context_.edit.now()),
+                                amountText(qsizetype(draft->changes)));
+}
+
+void EditorController::turnDownDraft() {
+  if (keepsDraft()) edited()->drafts()->turnDown();
 }
 
 void EditorController::reportLeftMap(const map::MapKey& map, const QString& sentence) {

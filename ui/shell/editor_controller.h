@@ -10,9 +10,9 @@
 #include <QMessageBox>
 #include <QPointer>
 
+#include "edit/edit_session.h"
 #include "map/catalogue.h"
 #include "ui/kit/controller.h"
-#include "ui/shell/map_drafts.h"
 #include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/toast_stack.h"
@@ -30,20 +30,29 @@ class EditorController : public Controller {
   void setSession(session::Session* session) override;
   void beforeLeaving(std::function<void()> then) override;
   QMessageBox* question() const { return question_; }  // null: nothing is asked
-  MapDrafts* drafts() const { return drafts_.get(); }  // null: there are none
+  /// What is open for editing; null: nothing.
+  virtual edit::EditSession* edited() const = 0;
+  bool unsaved() const override;
+  /// The draft that is offered, as a sentence; empty: none.
+  QString offerText() const;
 
  protected:
   struct LeaveQuestion {
     QString title, sentence;
   };
   virtual LeaveQuestion leaveQuestion() const = 0;
+  struct DraftWords {
+    QString offer;       // %1: when it was made, %2: how much was changed
+    QString not_backed;  // %1: why it is not on disk
+    QString lost;        // %1: likewise
+  };
+  virtual DraftWords draftWords() const = 0;
+  /// "3 changes".
+  virtual QString amountText(qsizetype changes) const = 0;
   /// What is being typed or drawn becomes part of the changes.
   virtual void finishInput() {}
   /// Discards all changes, and calls `then` once that is done; never if it is impossible.
   virtual void discardAll(std::function<void()> then) = 0;
-  virtual bool keepsDraft() const { return drafts_ != nullptr; }
-  /// Writes the draft to disk; otherwise returns why not.
-  virtual std::optional<Fault> writeDraft() { return drafts_->keep(); }
   /// The map on screen, the robot's maps, or what can be done with them have changed.
   virtual void syncMap() = 0;
   virtual void closeMap() = 0;
@@ -67,10 +76,14 @@ class EditorController : public Controller {
   /// Emits unsavedChanged() if unsaved() or maySave() has changed.
   void updateUnsaved();
 
-  /// Keeps a draft from now on, and looks for earlier ones. Without a folder for drafts: none.
-  void openDrafts(QDockWidget* panel, MapDrafts::Kind kind);
-  /// Unsaved changes stay as a draft; if that is impossible the user is told.
-  void closeDrafts();
+  /// Shows what it says of its drafts; with a `panel` also a message with a way there when one is offered.
+  void followDrafts(edit::EditSession& session, QDockWidget* panel = nullptr);
+  /// Before it is closed: unsaved changes stay as a draft; if that is impossible the user is told.
+  void leaveDraft();
+  bool keepsDraft() const;
+  /// Why the draft is not on disk, as a sentence; empty: nothing is wrong.
+  QString draftTroubleText() const;
+  void turnDownDraft();
 
   /// The robot went on to another map while `map` had unsaved changes. `sentence`: what is kept of them.
   /// Shown in the strip above the map, with an offer to open that map again.
@@ -83,7 +96,6 @@ class EditorController : public Controller {
 
   WindowContext& context_;
   QPointer<session::Session> session_;
-  std::unique_ptr<MapDrafts> drafts_;
 
  private:
   void answer(Leaving leaving);
@@ -93,7 +105,8 @@ class EditorController : public Controller {
   std::function<void()> when_left_, when_saved_;
   bool may_leave_ = false;  // the draft is kept as it is
   bool was_unsaved_ = false, could_save_ = false;
-  QString asked_;  // the last request to decide, until it is answered
+  QString announced_;  // the offer that was shown last
+  QString asked_;      // the last request to decide, until it is answered
   std::optional<map::MapKey> left_map_;
 };
 

@@ -7,7 +7,6 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/status_text.h"
-#include "ui/shell/unsaved_question.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
@@ -158,11 +157,6 @@ QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stoppe
 
 QString reasonText(const map::Failure& failure) {
   return words::plainLine(QString::fromStdString(sentences::failureReason(failure)));
-}
-
-QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {
-  return WaypointsText::tr("There is an unsaved draft of these waypoints from %1: %2.")
-      .arg(draftTimeText(draft.made, now), changesText(qsizetype(draft.changes.size())));
 }
 
 std::optional<LeftName> leftName(const edit::WaypointDocument& document,

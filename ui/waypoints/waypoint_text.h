@@ -57,8 +57,6 @@ exchange::SentCounts countsOf(const edit::OpenWaypoints& list);
 QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by);
 /// Why it went wrong, without its result.
 QString reasonText(const map::Failure& failure);
-/// "There is an unsaved draft of these waypoints from today 19:20:05: 3 changes."
-QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
 
 /// A temporary name left by an interrupted swap of names, and how to fix it.
 struct LeftName {

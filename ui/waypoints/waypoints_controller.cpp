@@ -87,7 +87,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   NoticeBar* const notice = context_.overlay.editNotice();
   connect(notice, &NoticeBar::offerTaken, this, &WaypointsController::acceptOffer);
   connect(notice, &NoticeBar::secondTaken, this, [this] {
-    if (list_ && !list_->offered().empty()) return list_->turnDown();
+    if (!offerText().isEmpty()) return turnDownDraft();
     if (const auto left = nameLeft()) accepted_names_.insert(left->key);
     refresh();
   });
@@ -220,10 +220,7 @@ void WaypointsController::openList(const map::MapKey& key) {
   list_ = std::make_unique<edit::OpenWaypoints>(*session_->robot().waypointStore(), key,
                                                 session_->robot().address(), context_.edit);
   connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::onSavingChanged);
-  connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
-  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const Fault& remark) {
-    context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
-  });
+  followDrafts(*list_);
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
     if (list_->submission().done() > 0) reportSaving(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
     onAllSaved();
@@ -272,10 +269,7 @@ void WaypointsController::closeMap() {
   shown_only_.reset();
   if (list_) {
     list_->robotGone();
-    // Unsaved changes stay as a draft; if that is impossible the user has to know.
-    if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
-      context_.overlay.toasts()->add(
-          Mark::Bad, tr("The changes to the waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
+    leaveDraft();
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
@@ -341,14 +335,10 @@ void WaypointsController::refresh() {
 
 void WaypointsController::refreshNotice() {
   NoticeBar* const notice = context_.overlay.editNotice();
-  if (list_ && list_->draftTrouble().any()) {
-    return notice->setNotice(Mark::Bad,
-                             tr("Changes to waypoints are not backed up: save them soon. %1")
-                                 .arg(sentences::wordsOf(list_->draftTrouble())),
-                             tr("Show"));
-  }
-  if (list_ && !list_->offered().empty()) {
-    notice->setNotice(Mark::Warning, offerText(list_->offered().front(), context_.edit.now()), tr("Restore"));
+  if (const QString trouble = draftTroubleText(); !trouble.isEmpty())
+    return notice->setNotice(Mark::Bad, trouble, tr("Show"));
+  if (const QString offer = offerText(); !offer.isEmpty()) {
+    notice->setNotice(Mark::Warning, offer, tr("Restore"));
     notice->setSecondOffer(tr("Discard draft"));
     return;
   }
@@ -372,8 +362,8 @@ std::optional<LeftName> WaypointsController::nameLeft() const {
 }
 
 void WaypointsController::acceptOffer() {
-  if (list_ && !list_->draftTrouble().any()) {
-    if (!list_->offered().empty()) {
+  if (list_ && draftTroubleText().isEmpty()) {
+    if (!offerText().isEmpty()) {
       list_->restoreDraft(tr("restore the draft"));
       context_.panels.open(dock_);
       return dock_->table()->setFocus();
@@ -451,6 +441,14 @@ void WaypointsController::revertAll() {
   });
   discard_question_->open();
 }
+
+EditorController::DraftWords WaypointsController::draftWords() const {
+  return {tr("There is an unsaved draft of these waypoints from %1: %2."),
+          tr("Changes to waypoints are not backed up: save them soon. %1"),
+          tr("The changes to the waypoints are lost. %1")};
+}
+
+QString WaypointsController::amountText(qsizetype changes) const { return changesText(changes); }
 
 EditorController::LeaveQuestion WaypointsController::leaveQuestion() const {
   return {tr("Waypoints are not saved"),

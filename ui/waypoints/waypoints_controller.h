@@ -34,10 +34,10 @@ class WaypointsController : public EditorController {
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
-  bool unsaved() const override { return list_ && list_->unsaved(); }
   /// Also during a conflict: then saving says what has to be decided.
   bool maySave() const override { return unsaved() && !list_->saving(); }
   void save() override;
+  edit::EditSession* edited() const override { return list_.get(); }
 
   WaypointsDock* dock() const { return dock_; }
   WaypointTool* tool() const { return tool_; }
@@ -53,8 +53,8 @@ class WaypointsController : public EditorController {
   LeaveQuestion leaveQuestion() const override;
   void finishInput() override;
   void discardAll(std::function<void()> then) override;
-  bool keepsDraft() const override { return !context_.edit.drafts_folder.isEmpty(); }
-  std::optional<Fault> writeDraft() override { return list_->keepDraft(); }
+  DraftWords draftWords() const override;
+  QString amountText(qsizetype changes) const override;
   void syncMap() override;
   void closeMap() override;
   void addActions();

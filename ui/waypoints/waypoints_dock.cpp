@@ -33,6 +33,8 @@ namespace mapwright::window {
 
 namespace {
 
+bool notBackedUp(const edit::OpenWaypoints& list) { return list.drafts() && list.drafts()->trouble().any(); }
+
 constexpr int kWaypointRowPx = 24;
 
 }  // namespace
@@ -294,7 +296,7 @@ void WaypointsDock::refresh() {
   form_->setVisible((document && !several) || hasFocusInside(*form_));
   group_->setVisible((document && several) || hasFocusInside(*group_));
   status_bad_ =
-      list_ && (list_->failure() || (list_->stoppedBy() && list_->unsaved()) || list_->draftTrouble().any());
+      list_ && (list_->failure() || (list_->stoppedBy() && list_->unsaved()) || notBackedUp(*list_));
   status_->setText(statusText());
   status_->setToolTip(plainToolTip(status_->text()));  // if there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
@@ -320,7 +322,7 @@ QString WaypointsDock::statusText() const {
       stopped_by && list_->failure() && reasonText(*list_->failure()) == reasonText(*stopped_by);
   if (list_->failure() && !told) parts << failureText(*list_->failure());
   if (stopped_by) parts << not_saved;
-  if (list_->draftTrouble().any()) parts << tr("No draft is kept.");
+  if (notBackedUp(*list_)) parts << tr("No draft is kept.");
   const auto unsaved = qsizetype(document->unsaved().size());
   QString count = waypointsText(qsizetype(document->items().size()));
   if (unsaved > 0) count += tr(", %1 not saved").arg(changesText(unsaved));
