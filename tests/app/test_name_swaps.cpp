@@ -286,7 +286,8 @@ class NameSwapsTest : public QObject {
             list = window(store, drafts.path());
             QVERIFY2(list, where);
             QVERIFY2(
-                reading_->waitUntil([&] { return !list->offered().empty() || isAsWanted(store, trial); }, 30),
+                reading_->waitUntil(
+                    [&] { return list->drafts()->offered() != nullptr || isAsWanted(store, trial); }, 30),
                 where);
             list->restoreDraft(QStringLiteral("take up"));
             QVERIFY2(list->document().conflicts().empty(), where);
