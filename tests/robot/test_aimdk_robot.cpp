@@ -6,6 +6,7 @@
 #include "scripted_robot.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "test_program.h"
 
 namespace test_aimdk_robot {
@@ -125,6 +126,37 @@ class AimdkRobotTest : public QObject {
     robot_->connectToRobot();
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted) && robot_->connection().reason.any(),
                              kPatienceMs);
+  }
+
+  void aRobotThatRefusesItsListSaysWhyInItsOwnWords_data() {
+    QTest::addColumn<QByteArray>("answer");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const char* answer, const char* sentence) {
+      QTest::newRow(answer) << QByteArray(answer) << QString::fromLatin1(sentence);
+    };
+    row("{\"code\":-3,\"message\":\"busy\"}",
+        "The list cannot be loaded: the robot refused (code -3): busy.");
+    row("{\"code\":7}", "The list cannot be loaded: the robot refused (code 7).");
+    row("{\"code\":503,\"msg\":\"later.\"}",
+        "The list cannot be loaded: the robot answered 503 (unavailable): later.");
+    row("{\"error\":{}}", "The list cannot be loaded: the robot refused.");
+    row("{\"message\":\"no maps!\"}", "The list cannot be loaded: the robot refused: no maps!");
+    row("{\"data\":{}}", "The list cannot be loaded: the robot refused: the answer contains no data.");
+    row("{\"data\":{\"maps\":3}}", "The robot's list of maps is not a list.");
+  }
+  void aRobotThatRefusesItsListSaysWhyInItsOwnWords() {
+    QFETCH(QByteArray, answer);
+    QFETCH(QString, sentence);
+    server_->serve(kNames, answer);
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(robot_->connection().reason.any(), kPatienceMs);
+    const Fault reason = robot_->connection().reason;
+    QCOMPARE(sentences::wordsOf(reason), sentence);
+    // Only what the robot sent counts as its words.
+    const auto isOurs = [](const Fault& each) { return each.code != mapwright::fault::Said; };
+    QVERIFY(isOurs(reason));
+    for (const Fault& cause : reason.because)
+      QVERIFY(isOurs(cause) || answer.contains(std::get<std::string>(cause.arguments.front()).c_str()));
   }
 
   void anotherCurrentMapIsTold() {

@@ -1,6 +1,7 @@
 #include "robot/aimdk/aimdk_link.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "net/plain_sentences.h"
@@ -8,7 +9,6 @@
 #include "robot/wire/failures.h"
 #include "robot/wire/forwarded.h"
 #include "robot/wire/net_results.h"
-#include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {
 namespace {
@@ -39,6 +39,27 @@ Outcome<T> outcomeOf(const net::HttpAnswer& answer, map::Subject subject, Read<T
   if (!answer.ok()) return fail(wire::failed(answer, std::move(subject)));
   if (!read) return fail(said(answer, std::move(subject), read.error()));
   return std::move(*read);
+}
+
+/// Why there is no list of maps, for the state of the connection.
+Fault notListedReason(const RpcError& error) {
+  if (!error.refused) return error.cause;
+  std::vector<Fault> why;
+  if (error.cause.any()) {
+    why.push_back(error.cause);
+  } else if (!error.detail.empty()) {
+    why.push_back(fault::said(error.detail));
+  }
+  if (error.code.empty())
+    return {faultText("aimdk", "The list cannot be loaded: the robot refused."), {}, std::move(why)};
+  const int status = error.code.size() == 3 ? std::atoi(error.code.c_str()) : 0;
+  if (status >= 300)
+    return {faultText("aimdk", "The list cannot be loaded: the robot answered %1."),
+            {HttpStatus{status}},
+            std::move(why)};
+  return {faultText("aimdk", "The list cannot be loaded: the robot refused (code %1)."),
+          {error.code},
+          std::move(why)};
 }
 
 map::Failure unasked(map::Subject subject, const char* ids) {
@@ -186,9 +207,8 @@ void AimdkLink::attempt() {
     } else if (answer.ok()) {
       // The server answers every request with success. JSON may come from a robot with a problem of its own.
       const bool json = answer.body.trimmed().startsWith('{');
-      map::Failure failure = said(answer, catalogueSubject(map::kMapsPart), maps.error());
-      if (!json) failure.kind = map::FailureKind::NotARobot;
-      interrupt(fault::said(sentences::sentenceOf(failure)), failure.kind);
+      const auto kind = said(answer, catalogueSubject(map::kMapsPart), maps.error()).kind;
+      interrupt(notListedReason(maps.error()), json ? kind : map::FailureKind::NotARobot);
     } else if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
       interrupt({fault::NoAgibotRobotThere, {}, {answer.reason}}, map::FailureKind::NotARobot);
     } else {
