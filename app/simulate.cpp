@@ -17,6 +17,8 @@
 namespace mapwright::app {
 namespace {
 
+using simulator::FaultKind, simulator::RequestFault;
+
 class SimulateOptions {
   Q_DECLARE_TR_FUNCTIONS(SimulateOptions)
 
@@ -60,9 +62,44 @@ class SimulateOptions {
   void names(const char* name, std::vector<std::string>& value, const QString& what) {
     option(name, value, what)->allow_extra_args(false);
   }
+  /// Adds to the table of faults what `row` makes of the value.
+  template <typename Value, typename Row>
+  CLI::Option* fault(const char* name, const Row& row, const QString& what) {
+    const auto add = [this, row](const Value& value) { options_.faults.requests.push_back(row(value)); };
+    return grouped(command_->add_option_function<Value>(name, add, help(what)));
+  }
+  void share(const char* name, FaultKind kind, unsigned of, const QString& what) {
+    const auto row = [this, kind, of](double rate) {
+      return RequestFault{kind, of, rate, of == simulator::kSubmaps ? error_status_ : 0,
+                          of == simulator::kWrites ? write_fault_path_ : std::string()};
+    };
+    fault<double>(name, row, what)->check(CLI::Range(0.0, 1.0));
+  }
+  void delay(const char* name, FaultKind kind, unsigned of, const QString& what) {
+    fault<int>(
+        name,
+        [kind, of](int ms) {
+          return RequestFault{kind, of, 1, ms};
+        },
+        what)
+        ->check(CLI::Range(0, 600'000));
+  }
+  void paths(const char* name, FaultKind kind, const QString& what) {
+    const auto add = [this, kind](const std::vector<std::string>& all) {
+      for (const std::string& path : all)
+        options_.faults.requests.push_back({kind, simulator::kAllRequests, 1, 0, path});
+    };
+    grouped(command_->add_option_function<std::vector<std::string>>(name, add, help(what)))
+        ->allow_extra_args(false);
+  }
+  void faultFlag(const char* name, const RequestFault& row, const QString& what) {
+    const auto add = [this, row] { options_.faults.requests.push_back(row); };
+    grouped(command_->add_flag_callback(name, add, help(what)));
+  }
 
   simulator::Options options_;
-  std::string secret_file_;
+  std::string secret_file_, write_fault_path_;
+  int error_status_ = 500;
   CLI::App* command_ = nullptr;
   QString group_;  // of the options that are being added
 };
@@ -111,50 +148,60 @@ void SimulateOptions::addRobot() {
 }
 
 void SimulateOptions::addFaults() {
-  simulator::Faults& f = options_.faults;
+  using namespace simulator;
+  Faults& f = options_.faults;
   group_ = tr("Faults");
-  number("--latency-ms", f.latency_ms, 0, 600'000, tr("Delay of every submap response"));
-  number("--jitter-ms", f.jitter_ms, 0, 600'000, tr("Random extra delay"));
-  rate("--drop-rate", f.drop_rate, tr("Share of submap requests that get no response"));
-  rate("--truncate-rate", f.truncate_rate, tr("Share of responses cut off half-way"));
-  rate("--wrong-size-rate", f.wrong_size_rate,
-       tr("Share of responses whose width and height do not match the cells"));
-  rate("--corrupt-rate", f.corrupt_rate, tr("Share of responses that are garbage"));
-  rate("--error-rate", f.error_rate, tr("Share of responses with --error-status"));
-  option("--error-status", f.error_status, tr("HTTP status of these errors"))
+  delay("--latency-ms", FaultKind::Delay, kSubmaps, tr("Delay of every submap response"));
+  delay("--jitter-ms", FaultKind::Jitter, kSubmaps, tr("Random extra delay"));
+  share("--drop-rate", FaultKind::Drop, kSubmaps, tr("Share of submap requests that get no response"));
+  share("--truncate-rate", FaultKind::Truncate, kSubmaps, tr("Share of responses cut off half-way"));
+  share("--wrong-size-rate", FaultKind::WrongSize, kSubmaps,
+        tr("Share of responses whose width and height do not match the cells"));
+  share("--corrupt-rate", FaultKind::Corrupt, kSubmaps, tr("Share of responses that are garbage"));
+  option("--error-status", error_status_, tr("HTTP status of the responses of --error-rate"))
       ->check(CLI::IsMember({400, 404, 500, 502, 504}));
-  rate("--status-code-rate", f.status_code_rate,
-       tr("Share of HTTP 200 responses that contain an error status"));
+  share("--error-rate", FaultKind::Refuse, kSubmaps, tr("Share of responses with --error-status"));
+  share("--status-code-rate", FaultKind::StatusError, kSubmaps,
+        tr("Share of HTTP 200 responses that contain an error status"));
   number("--websocket-drop-every", f.websocket_drop_every_s, 0, 86'400,
          tr("Close the WebSocket every so many seconds"));
   number("--uuid-change-every", f.uuid_change_every_s, 0, 86'400, tr("Restart SLAM every so many seconds"));
   flag("--bad-entries", f.bad_entries,
        tr("List NaN poses, zero quaternions, duplicates and decreasing versions"));
   flag("--silent-websocket", f.silent_websocket, tr("Accept the WebSocket, then send nothing"));
-  number("--write-latency-ms", f.write_latency_ms, 0, 600'000,
-         tr("Delay of every response to POST, PUT, PATCH and DELETE"));
-  rate("--write-error-rate", f.write_error_rate,
-       tr("Share of these that change nothing and get 500, 502 or 503"));
-  rate("--drop-writes", f.drop_writes, tr("Share of these that change nothing and get no response"));
-  rate("--lose-write-answers", f.lose_write_answers,
-       tr("Share of these that take effect but get no response"));
+  delay("--write-latency-ms", FaultKind::Delay, kWrites,
+        tr("Delay of every response to a change: POST, PUT, PATCH, DELETE, and calls that change something"));
+  option("--write-fault-path", write_fault_path_,
+         tr("Only changes of this path or service, and of what is below it, go wrong, for example /maps/"));
+  share("--write-error-rate", FaultKind::Refuse, kWrites,
+        tr("Share of these that change nothing and get 500, 502 or 503"));
+  share("--drop-writes", FaultKind::Drop, kWrites,
+        tr("Share of these that change nothing and get no response"));
+  share("--lose-write-answers", FaultKind::Cut, kWrites,
+        tr("Share of these that take effect but get no response"));
+  share("--ignore-writes", FaultKind::Ignore, kWrites,
+        tr("Share of these that are answered as if all was well, but change nothing"));
+  paths("--ros-refuse,--refuse", FaultKind::Refuse,
+        tr("A path or service that answers with an error and does nothing; may be repeated"));
+  paths("--ros-lose-answer,--lose-answer", FaultKind::Silence,
+        tr("A path or service that does its work but never answers; may be repeated"));
+  paths("--ros-cut-after,--cut-after", FaultKind::Cut,
+        tr("A path or service that does its work, then closes the connection; may be repeated"));
+  share("--cut-downloads", FaultKind::Truncate, kDownloads,
+        tr("Share of .pbstream downloads that break off half-way"));
+  names("--ros-silent,--silent", f.silent, tr("A topic that never publishes; may be repeated"));
   flag("--sees-nothing", f.sees_nothing,
        tr("The robot sees no charger, rack, pallet or trailer, and has collected no landmarks"));
-  rate("--ignore-writes", f.ignore_writes,
-       tr("Share of these that are answered as if all was well, but change nothing"));
-  option("--write-fault-path", f.write_fault_path,
-         tr("Only writes to paths that begin with this fail, for example /maps/"));
-  rate("--cut-downloads", f.cut_downloads, tr("Share of .pbstream downloads that break off half-way"));
   number("--overlay-edit-every", f.overlay_edit_every_s, 0, 86'400,
          tr("Someone else changes the overlays of the current map every so many seconds"));
   flag("--overlay-edit-before-writes", f.overlay_edit_before_writes,
        tr("Someone else changes the overlays right before each change of them"));
-  number("--map-latency-ms", f.map_latency_ms, 0, 600'000, tr("Delay of every response about maps"));
+  delay("--map-latency-ms", FaultKind::Delay, kMaps, tr("Delay of every response about maps"));
   flag("--truncated-maps", f.truncated_maps, tr("Cut off every map's PNG half-way"));
   flag("--lying-map-size", f.lying_map_size, tr("Every map's PNG declares 60,000 x 60,000 pixels"));
   flag("--foreign-data-url", f.foreign_data_url, tr("data_url points to another host"));
   flag("--garbage-base64", f.garbage_base64, tr("Pictures in topics are not valid base64"));
-  flag("--map-list-error", f.map_list_error, tr("Answer 500 for the list of maps"));
+  faultFlag("--map-list-error", {FaultKind::Refuse, kMapList, 1, 500}, tr("Answer 500 for the list of maps"));
   option("--grid-fault", f.grid_fault, tr("What is wrong with every map's place and resolution"))
       ->check(CLI::IsMember({"zero-resolution", "negative-resolution", "no-resolution", "no-origin"}));
 }
@@ -188,21 +235,15 @@ void SimulateOptions::addRosRobot(simulator::RosOptions& o) {
 
 void SimulateOptions::addRosFaults(simulator::RosFaults& f) {
   group_ = tr("Faults of the ROS robot");
-  number("--ros-slow", f.slow_ms, 0, 600'000, tr("Delay of every service response, milliseconds"));
+  using namespace simulator;
+  delay("--ros-slow", FaultKind::Delay, kServices, tr("Delay of every service response, milliseconds"));
   flag("--ros-shuffle", f.shuffled_answers,
        tr("Every second response arrives after the ones that follow it"));
-  names("--ros-silent", f.silent, tr("A topic that never publishes; may be repeated"));
   flag("--ros-wrong-type", f.wrong_type, tr("/map, /scan and /odom have type std_msgs/String"));
   number("--ros-fragments", f.fragment_bytes, 0, 100'000'000,
          tr("Send messages in fragments of this many characters"));
   number("--ros-restart-every", f.restart_every_s, 0, 86'400,
          tr("Close all connections to the ROS robot every so many seconds"));
-  names("--ros-refuse", f.refuse,
-        tr("A service that responds result:false and does nothing; may be repeated"));
-  names("--ros-lose-answer", f.lose_answer,
-        tr("A service that does its work but never responds; may be repeated"));
-  names("--ros-cut-after", f.cut_after,
-        tr("A service that does its work, then closes the connection; may be repeated"));
   flag("--ros-garbage", f.garbage, tr("Send frames that are not messages in between"));
   number("--other-operator", f.other_operator_every_s, 0, 86'400,
          tr("Another client changes waypoints and maps every so many seconds"));
@@ -210,9 +251,16 @@ void SimulateOptions::addRosFaults(simulator::RosFaults& f) {
          tr("The waypoint topic publishes changes this many milliseconds late"));
   number("--other-painter", f.other_painter_every_s, 0, 86'400,
          tr("Another client paints on the current map every so many seconds"));
-  number("--ros-picture-code", f.picture_code, 0, 255,
-         tr("update_map_image does nothing and returns this code"));
-  flag("--ros-picture-ignored", f.picture_ignored, tr("update_map_image does nothing but reports success"));
+  constexpr const char* kPicture = "/map_manager/update_map_image";
+  fault<int>(
+      "--ros-picture-code",
+      [](int code) {
+        return RequestFault{FaultKind::Refuse, kWrites, code > 0 ? 1.0 : 0.0, code, kPicture};
+      },
+      tr("update_map_image does nothing and returns this code"))
+      ->check(CLI::Range(0, 255));
+  faultFlag("--ros-picture-ignored", {FaultKind::Ignore, kWrites, 1, 0, kPicture},
+            tr("update_map_image does nothing but reports success"));
   flag("--nan-pose", f.nan_pose, tr("Poses, transforms and some waypoints are NaN"));
   flag("--zero-quaternion", f.zero_quaternion, tr("Quaternions are zero or not normalized"));
   flag("--tf-loop", f.tf_loop, tr("/tf has a loop"));

@@ -77,7 +77,7 @@ std::unique_ptr<simulator::Simulator> simulated() {
   simulator::Options options;
   options.paused = true;
   options.bags.odd = true;
-  options.faults.map_latency_ms = kLatencyMs;
+  options.faults.requests.push_back({simulator::FaultKind::Delay, simulator::kMaps, 1, kLatencyMs});
   auto robot = std::make_unique<simulator::Simulator>(options);
   if (robot->start()) return nullptr;
   return robot;

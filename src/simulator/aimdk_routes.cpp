@@ -304,56 +304,59 @@ constexpr AimdkCall kCalls[] = {
     {"MappingService/DeleteMap", "MappingCommand_DELETE_MAP", deleteAimdkMap, true, true},
     {"LocalizationService/SetNaviPoint", "TopoCommand_SET_NAVI_POINT", setNaviPoint, true, true}};
 
+/// The one that a path names; null if it is unknown to this firmware.
+const AimdkCall* callOf(const HttpQuestion& question, bool newer) {
+  const std::string_view path = pathOf(question.target);
+  for (const AimdkCall& call : kCalls) {
+    if (path.starts_with(kPrefix) && call.method == path.substr(kPrefix.size()) && (newer || !call.newer))
+      return &call;
+  }
+  return nullptr;
+}
+
+HttpAnswer saidAnswer(Value said, bool newer) {
+  if (newer && !said.has("header") && !said.has("error"))
+    said.set("header", Value::Object{{"code", "0"}, {"msg", ""}});
+  return valueAnswer(200, said);
+}
+
 }  // namespace
 
 AimdkRoutes::AimdkRoutes(const Robot& robot)
-    : state_(std::make_unique<AimdkState>(robot)), faults_(robot.faults) {}
+    : Answerer(robot.faults), state_(std::make_unique<AimdkState>(robot)) {}
 
 AimdkRoutes::~AimdkRoutes() = default;
 
-HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
-  const std::string_view path = pathOf(question.target);
-  if (!path.starts_with(kPrefix)) return valueAnswer(404, error(404, "There is no such service."));
-  const std::string_view method = path.substr(kPrefix.size());
+unsigned AimdkRoutes::kindsOf(const HttpQuestion& question) const {
+  const AimdkCall* const call = callOf(question, state_->options.newer);
+  if (call == nullptr) return 0;
+  return kMaps | (call->changes ? kWrites : kReads) | (call->answer == storedMapNames ? kMapList : 0U);
+}
+
+HttpAnswer AimdkRoutes::answered(const HttpQuestion& question, const Verdict&) {
   const bool newer = state_->options.newer;
-  const auto* const call = std::find_if(std::begin(kCalls), std::end(kCalls), [&](const AimdkCall& one) {
-    return one.method == method && (newer || !one.newer);
-  });
-  if (call == std::end(kCalls)) return valueAnswer(404, error(404, "There is no such method."));
+  const AimdkCall* const call = callOf(question, newer);
+  if (call == nullptr) return valueAnswer(404, error(404, "There is no such method."));
   if (question.method != "POST") {
     HttpAnswer answer = valueAnswer(405, error(405, "Only POST is understood here."));
     answer.headers = {{"Allow", "POST"}};
     return answer;
   }
-  const Faults faults = faults_.faults();
-  if (faults.map_list_error && call->answer == storedMapNames)
-    return valueAnswer(500, error(500, "The map store is locked."));
-
   const Value request = fromJson(question.body).value_or(Value());
   const auto* command = request["command"].as<std::string>();
   if (command == nullptr)
     return valueAnswer(400, error(400, "The request is no JSON object with a command."));
-  const bool fits =
-      *command == call->command || (!call->other_command.empty() && *command == call->other_command);
-  std::uint64_t dice = 0;
-  const bool may_fail = call->changes && question.target.starts_with(faults.write_fault_path);
-  const WriteFault fault =
-      may_fail ? faults_.drawWrite("POST " + std::string(question.target), dice) : WriteFault::None;
-  Value said = data({});
-  if (!fits) {
-    said = error(-32602, "The command does not belong to this method.");
-  } else if (fault == WriteFault::None || fault == WriteFault::LoseAnswer) {
-    const std::lock_guard lock(state_->mutex);
-    said = call->answer(*state_, faults, request);
-  }
-  if (newer && !said.has("header") && !said.has("error"))
-    said.set("header", Value::Object{{"code", "0"}, {"msg", ""}});
-  HttpAnswer answer = fault == WriteFault::Error
-                          ? valueAnswer(500, error(500, "It could not be carried out."))
-                          : valueAnswer(200, said);
-  answer.drop = fault == WriteFault::Drop || fault == WriteFault::LoseAnswer;
-  answer.delay_ms = faults.map_latency_ms + (call->changes ? faults.write_latency_ms : 0);
-  return answer;
+  if (*command != call->command && (call->other_command.empty() || *command != call->other_command))
+    return saidAnswer(error(-32602, "The command does not belong to this method."), newer);
+  const std::lock_guard lock(state_->mutex);
+  return saidAnswer(call->answer(*state_, faults(), request), newer);
 }
+
+HttpAnswer AimdkRoutes::refused(const HttpQuestion&, const Verdict& verdict) const {
+  const int status = verdict.number > 0 ? verdict.number : 500;
+  return valueAnswer(status, error(status, "It could not be carried out."));
+}
+
+HttpAnswer AimdkRoutes::ignored(const HttpQuestion&) { return saidAnswer(data({}), state_->options.newer); }
 
 }  // namespace mapwright::simulator

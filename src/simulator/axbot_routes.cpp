@@ -69,43 +69,24 @@ HttpAnswer submap(const Robot& robot, const HttpQuestion& question) {
   }
   const auto trajectory = numberFrom<std::int32_t>(parts[1]), index = numberFrom<std::int32_t>(parts[2]);
   if (!isUuid(parts[0]) || !trajectory || !index) return submapError(400);
-
-  const Fault fault = robot.faults.draw(std::string(question.target));
   const std::string uuid = robot.state.uuid();
-  const bool versioned = !queryValue(question.target, "ver").empty();
-  const auto answered = [&]() -> HttpAnswer {
-    using namespace ros_messages::slam;
-    if (fault.kind == FaultKind::HttpError) return submapError(fault.http_status);
-    if (fault.kind == FaultKind::StatusError) {
-      constexpr std::array kCodes{INTERNAL, UNAVAILABLE, DEADLINE_EXCEEDED, RESOURCE_EXHAUSTED};
-      return protobufAnswer(
-          statusAnswer(kCodes[fault.dice % kCodes.size()], "The submap could not be queried."));
-    }
-    if (parts[0] != uuid)
-      return protobufAnswer(statusAnswer(UUID_MISMATCH, "The SLAM session has another uuid."));
-    const std::optional<SubmapSource> source = robot.state.find({*trajectory, *index});
-    if (!source) return submapError(404);
+  if (parts[0] != uuid)
+    return protobufAnswer(
+        statusAnswer(ros_messages::slam::UUID_MISMATCH, "The SLAM session has another uuid."));
+  const std::optional<SubmapSource> source = robot.state.find({*trajectory, *index});
+  if (!source) return submapError(404);
 
-    const std::string tag = '"' + uuid + '-' + std::to_string(*trajectory) + '-' + std::to_string(*index) +
-                            '-' + std::to_string(source->version) + '"';
-    HttpAnswer answer =
-        matchesTag(question.if_none_match, tag)
-            ? emptyAnswer(304)
-            : protobufAnswer(robot.bodies.get({source->session, source->id, source->version}, [&] {
-                return std::make_shared<const std::string>(makeSubmapBody(robot.state.plan(), *source));
-              }));
-    answer.headers = {{"Cache-Control", versioned ? "public, max-age=31536000, immutable" : "no-cache"},
-                      {"ETag", versioned ? tag : "W/" + tag}};
-    if (answer.body && fault.kind == FaultKind::WrongSize)
-      answer.body = std::make_shared<const std::string>(withWrongSize(*answer.body));
-    if (answer.body && fault.kind == FaultKind::Corrupt)
-      answer.body = std::make_shared<const std::string>(garbage(fault.dice));
-    return answer;
-  };
-  HttpAnswer answer = fault.kind == FaultKind::Drop ? HttpAnswer{} : answered();
-  answer.delay_ms = fault.delay_ms;
-  answer.drop = fault.kind == FaultKind::Drop;
-  answer.truncate = fault.kind == FaultKind::Truncate && answer.body != nullptr;
+  const std::string tag = '"' + uuid + '-' + std::to_string(*trajectory) + '-' + std::to_string(*index) +
+                          '-' + std::to_string(source->version) + '"';
+  HttpAnswer answer =
+      matchesTag(question.if_none_match, tag)
+          ? emptyAnswer(304)
+          : protobufAnswer(robot.bodies.get({source->session, source->id, source->version}, [&] {
+              return std::make_shared<const std::string>(makeSubmapBody(robot.state.plan(), *source));
+            }));
+  const bool versioned = !queryValue(question.target, "ver").empty();
+  answer.headers = {{"Cache-Control", versioned ? "public, max-age=31536000, immutable" : "no-cache"},
+                    {"ETag", versioned ? tag : "W/" + tag}};
   return answer;
 }
 
@@ -128,15 +109,12 @@ HttpAnswer mapImage(const Robot& robot, const Request& request) {
   spec.resolution_m = *resolution;
   const MapPicturePtr made = robot.library.pictures().picture(spec);
   if (!made) return errorAnswer(502, "The ROS service call failed.");
-  const Faults faults = robot.faults.faults();
   ros_messages::slam::GetMapImageResponse response;
   response.set_origin_x(made->origin_m.x());
   response.set_origin_y(made->origin_m.y());
   response.set_resolution(made->resolution_m);
-  response.set_png_bytes(faultyPng(*made->png, faults));
-  HttpAnswer answer = protobufAnswer(response.SerializeAsString());
-  answer.delay_ms = faults.map_latency_ms;
-  return answer;
+  response.set_png_bytes(faultyPng(*made->png, robot.faults.faults()));
+  return protobufAnswer(response.SerializeAsString());
 }
 
 std::string deviceText(const Robot& robot) {
@@ -244,18 +222,18 @@ HttpAnswer relocate(const Robot& robot, const Request&) {
 
 using Body = Route::Body;
 constexpr Route kRoutes[] = {
-    {"GET", "/ros/slam/map_image", mapImage, Body::Any, false},
-    {"GET", "/device/info", deviceInfo, Body::Any, false},
-    {"GET", "/device/info/brief", deviceBrief, Body::Any, false},
-    {"GET", "/device/boot_progress", bootProgress, Body::Any, false},
-    {"GET", "/device/sensors", sensors, Body::Any, false},
-    {"GET", "/ros/rosmaster/topics/published_names", topicNames, Body::Any, false},
+    {"GET", "/ros/slam/map_image", mapImage},
+    {"GET", "/device/info", deviceInfo},
+    {"GET", "/device/info/brief", deviceBrief},
+    {"GET", "/device/boot_progress", bootProgress},
+    {"GET", "/device/sensors", sensors},
+    {"GET", "/ros/rosmaster/topics/published_names", topicNames},
     {"GET", "/ros/map/overlays", overlays},
     {"PUT", "/ros/map/overlays", setOverlays},
-    {"POST", "/chassis/pose", setPose, Body::Json, false},
-    {"POST", "/services/wheel_control/set_control_mode", setControlMode, Body::Json, false},
-    {"POST", "/services/wheel_control/set_emergency_stop", setEmergencyStop, Body::Json, false},
-    {"POST", "/services/start_global_positioning", relocate, Body::Any, false}};
+    {"POST", "/chassis/pose", setPose, Body::Json},
+    {"POST", "/services/wheel_control/set_control_mode", setControlMode, Body::Json},
+    {"POST", "/services/wheel_control/set_emergency_stop", setEmergencyStop, Body::Json},
+    {"POST", "/services/start_global_positioning", relocate}};
 
 /// What stands for the star or the id; nullopt if the path is another one.
 std::optional<std::string_view> matched(std::string_view pattern, std::string_view path) {
@@ -282,51 +260,66 @@ bool AxbotRoutes::opensTopics(std::string_view secret) const {
   return robot_.options.secret.empty() || secret == robot_.options.secret;
 }
 
-HttpAnswer AxbotRoutes::answer(const HttpQuestion& question) {
-  if (!opensTopics(question.secret)) return errorAnswer(401, "A valid Secret header is required.");
-  if (question.method != "GET" && question.method != "HEAD") return write(question);
-  HttpQuestion get = question;
-  get.method = "GET";
-  return routed(get);
+unsigned AxbotRoutes::kindsOf(const HttpQuestion& question) const {
+  constexpr std::string_view kOfMaps[] = {
+      "/map",      "/chassis/current-map", "/static-files/", "/bags", "/recording",
+      "/ros/map/", "/ros/slam/map_image"};
+  const std::string_view path = pathOf(question.target);
+  const bool reads = question.method == "GET" || question.method == "HEAD";
+  unsigned kinds = reads ? kReads : kWrites;
+  if (isSubmapPath(path)) kinds |= kSubmaps;
+  if (std::any_of(std::begin(kOfMaps), std::end(kOfMaps),
+                  [&](auto place) { return path.starts_with(place); }))
+    kinds |= kMaps;
+  if (reads && (path == "/maps/" || path == "/maps")) kinds |= kMapList;
+  if (path.ends_with(".pbstream")) kinds |= kDownloads;
+  return opensTopics(question.secret) ? kinds : 0;
 }
 
-HttpAnswer AxbotRoutes::write(const HttpQuestion& question) {
-  std::uint64_t dice = 0;
-  const bool may_fail = question.target.starts_with(robot_.faults.faults().write_fault_path);
-  const WriteFault fault =
-      may_fail
-          ? robot_.faults.drawWrite(std::string(question.method) + " " + std::string(question.target), dice)
-          : WriteFault::None;
-  HttpAnswer answer;
-  if (fault == WriteFault::Error) {
-    constexpr std::array kStatuses{500, 502, 503};
-    answer = errorAnswer(kStatuses[dice % kStatuses.size()], "The request could not be carried out.");
-    if (answer.status == 502) {  // as a proxy in front of the robot writes it
-      answer.content_type = "text/html";
-      answer.body = std::make_shared<const std::string>(
-          "<html><head><title>502 Bad Gateway</title></head><body><h1>502 Bad Gateway</h1></body></html>");
-    }
-  } else if (fault == WriteFault::Ignore && question.method == "PATCH") {
-    HttpQuestion look = question;
-    look.method = "GET";
-    answer = routed(look);
-  } else if (fault == WriteFault::Ignore) {
-    answer = question.method == "DELETE" ? emptyAnswer(204) : jsonAnswer(200, "{}");
-  } else if (fault != WriteFault::Drop) {
-    answer = routed(question);
-  }
-  answer.drop = answer.drop || fault == WriteFault::Drop || fault == WriteFault::LoseAnswer;
-  answer.delay_ms += robot_.faults.faults().write_latency_ms;
+HttpAnswer AxbotRoutes::answered(const HttpQuestion& question, const Verdict& verdict) {
+  using namespace ros_messages::slam;
+  constexpr std::array kCodes{INTERNAL, UNAVAILABLE, DEADLINE_EXCEEDED, RESOURCE_EXHAUSTED};
+  if (verdict.is(FaultKind::StatusError))
+    return protobufAnswer(
+        statusAnswer(kCodes[verdict.dice % kCodes.size()], "The submap could not be queried."));
+  HttpAnswer answer = routed(question);
+  if (!answer.body || answer.status != 200) return answer;
+  if (verdict.is(FaultKind::WrongSize))
+    answer.body = std::make_shared<const std::string>(withWrongSize(*answer.body));
+  if (verdict.is(FaultKind::Corrupt))
+    answer.body = std::make_shared<const std::string>(garbage(verdict.dice));
   return answer;
 }
 
+HttpAnswer AxbotRoutes::refused(const HttpQuestion& question, const Verdict& verdict) const {
+  constexpr std::array kStatuses{500, 502, 503};
+  if (isSubmapPath(pathOf(question.target))) return submapError(verdict.number > 0 ? verdict.number : 500);
+  const int status = verdict.number > 0 ? verdict.number : kStatuses[verdict.dice % kStatuses.size()];
+  HttpAnswer answer = errorAnswer(status, "The request could not be carried out.");
+  if (status == 502) {  // as a proxy in front of the robot writes it
+    answer.content_type = "text/html";
+    answer.body = std::make_shared<const std::string>(
+        "<html><head><title>502 Bad Gateway</title></head><body><h1>502 Bad Gateway</h1></body></html>");
+  }
+  return answer;
+}
+
+HttpAnswer AxbotRoutes::ignored(const HttpQuestion& question) {
+  if (question.method != "PATCH")
+    return question.method == "DELETE" ? emptyAnswer(204) : jsonAnswer(200, "{}");
+  HttpQuestion look = question;
+  look.method = "GET";
+  return routed(look);
+}
+
 HttpAnswer AxbotRoutes::routed(const HttpQuestion& question) {
-  const std::string_view path = pathOf(question.target);
+  if (!opensTopics(question.secret)) return errorAnswer(401, "A valid Secret header is required.");
+  const std::string_view path = pathOf(question.target),
+                         method = question.method == "HEAD" ? "GET" : question.method;
   std::string allowed;
   std::string_view pattern;  // the first that fits
-  bool of_maps = false;
   if (isSubmapPath(path)) {
-    if (question.method == "GET") return submap(robot_, question);
+    if (method == "GET") return submap(robot_, question);
     allowed = "GET";
   }
   for (const std::span<const Route> routes :
@@ -336,24 +329,20 @@ HttpAnswer AxbotRoutes::routed(const HttpQuestion& question) {
       if (!name || (!pattern.empty() && pattern != route.path)) continue;
       pattern = route.path;
       allowed.append(allowed.empty() ? "" : ", ").append(route.method);
-      of_maps = route.of_maps;
-      if (route.method != question.method) continue;
+      if (route.method != method) continue;
       const bool is_form = route.body == Route::Body::JsonOrForm;
       std::optional<RequestFields> fields =
           route.body == Route::Body::Any
               ? RequestFields()
               : RequestFields::read(is_form ? question.content_type : std::string_view(), question.body);
-      HttpAnswer answer = fields ? route.answer(robot_, {question, *name, std::move(*fields)})
-                                 : errorAnswer(400, is_form ? "The request is no JSON object and no form."
-                                                            : "The request is no JSON object.");
-      if (of_maps) answer.delay_ms += robot_.faults.faults().map_latency_ms;
-      return answer;
+      return fields ? route.answer(robot_, {question, *name, std::move(*fields)})
+                    : errorAnswer(400, is_form ? "The request is no JSON object and no form."
+                                               : "The request is no JSON object.");
     }
   }
   if (allowed.empty()) return errorAnswer(404, "Not found.");
   HttpAnswer answer = errorAnswer(405, "Method \"" + std::string(question.method) + "\" not allowed.");
   answer.headers = {{"Allow", allowed}};
-  if (of_maps) answer.delay_ms += robot_.faults.faults().map_latency_ms;
   return answer;
 }
 

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "simulator/bags.h"
-#include "simulator/fault_plan.h"
 #include "simulator/http_answer.h"
 #include "simulator/maps.h"
 #include "simulator/robot_state.h"
@@ -43,7 +42,6 @@ struct Route {
   std::string_view path;
   HttpAnswer (*answer)(const Robot& robot, const Request& request);
   Body body = Body::Any;
-  bool of_maps = true;  // takes Faults::map_latency_ms
 };
 
 /// Of maps, the current one, mapping tasks and static files.
@@ -62,14 +60,16 @@ bool isSubmapPath(std::string_view path);
 /// All that the Autoxing robot answers.
 class AxbotRoutes : public Answerer {
  public:
-  explicit AxbotRoutes(const Robot& robot) : robot_(robot) {}
+  explicit AxbotRoutes(const Robot& robot) : Answerer(robot.faults), robot_(robot) {}
 
-  HttpAnswer answer(const HttpQuestion& question) override;
   bool isSlow(std::string_view path) const override { return path != "/device/info"; }
   bool opensTopics(std::string_view secret) const override;
 
  private:
-  HttpAnswer write(const HttpQuestion& question);
+  unsigned kindsOf(const HttpQuestion& question) const override;
+  HttpAnswer answered(const HttpQuestion& question, const Verdict& verdict) override;
+  HttpAnswer refused(const HttpQuestion& question, const Verdict& verdict) const override;
+  HttpAnswer ignored(const HttpQuestion& question) override;
   HttpAnswer routed(const HttpQuestion& question);
 
   const Robot robot_;
@@ -85,13 +85,16 @@ class AimdkRoutes : public Answerer {
   explicit AimdkRoutes(const Robot& robot);
   ~AimdkRoutes() override;
 
-  HttpAnswer answer(const HttpQuestion& question) override;
   bool isSlow(std::string_view) const override { return true; }
   bool opensTopics(std::string_view) const override { return false; }
 
  private:
+  unsigned kindsOf(const HttpQuestion& question) const override;
+  HttpAnswer answered(const HttpQuestion& question, const Verdict& verdict) override;
+  HttpAnswer refused(const HttpQuestion& question, const Verdict& verdict) const override;
+  HttpAnswer ignored(const HttpQuestion& question) override;
+
   const std::unique_ptr<AimdkState> state_;
-  FaultPlan& faults_;
 };
 
 }  // namespace mapwright::simulator

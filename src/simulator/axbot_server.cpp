@@ -76,7 +76,7 @@ class TopicSession : public WebSocketLink {
   void publish(std::string_view topic) {
     if (!topics_.contains(topic)) return;
     const Faults faults = server_.robot().faults.faults();
-    if (silent_ || faults.silent_websocket) return;
+    if (silent_ || faults.silent_websocket || server_.robot().faults.isSilent(topic)) return;
     const AxbotTopic* const own = axbotTopic(topic);
     const bool comes_often = own != nullptr && own->period_s != kWhenItChanges;
     if (comes_often && queued() > kMostQueued) return;

@@ -1,32 +1,37 @@
-// Decides which requests fail, and how: depends on the seed, the request's key and the attempt.
+// Decides which requests fail, and how: depends on the seed, the request and the attempt.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <utility>
+#include <string_view>
 
 #include "simulator/noise.h"
 #include "simulator/simulator.h"
 
 namespace mapwright::simulator {
 
-enum class FaultKind { None, Drop, Truncate, WrongSize, Corrupt, HttpError, StatusError };
-
-struct Fault {
-  FaultKind kind = FaultKind::None;
+/// What happens to one request.
+struct Verdict {
+  std::optional<FaultKind> kind;  // none of the delays
   int delay_ms = 0;
-  int http_status = 500;
-  std::uint64_t dice = 0;  // for other random choices of the fault
-};
+  int number = 0;          // of the row
+  std::uint64_t dice = 0;  // for other random choices
 
-enum class WriteFault { None, Error, Drop, LoseAnswer, Ignore };
+  bool is(FaultKind other) const { return kind == other; }
+  /// Whether the request is carried out.
+  bool isDone() const { return !is(FaultKind::Drop) && !is(FaultKind::Refuse) && !is(FaultKind::Ignore); }
+  bool isAnswered() const { return !is(FaultKind::Drop) && !is(FaultKind::Cut) && !is(FaultKind::Silence); }
+};
 
 /// Safe from any thread.
 class FaultPlan {
  public:
+  static constexpr int kLongestDelayMs = 600'000;
+
   FaultPlan(const Faults& faults, std::uint32_t seed) : faults_(faults), seed_(seed) {}
 
   Faults faults() const {
@@ -37,61 +42,52 @@ class FaultPlan {
     const std::lock_guard lock(mutex_);
     faults_ = faults;
   }
-
-  /// The result for the next attempt of `key`.
-  Fault draw(const std::string& key) {
+  bool isSilent(std::string_view topic) const {
     const std::lock_guard lock(mutex_);
-    Dice dice(next(key));
+    return std::find(faults_.silent.begin(), faults_.silent.end(), topic) != faults_.silent.end();
+  }
 
-    Fault fault;
-    fault.http_status = faults_.error_status;
-    fault.dice = dice.next();
-    const int jitter = std::clamp(faults_.jitter_ms, 0, kLongestDelayMs);
-    fault.delay_ms =
-        std::clamp(faults_.latency_ms, 0, kLongestDelayMs) + (jitter > 0 ? dice.integer(0, jitter) : 0);
+  /// `of`: what kinds of request it is. `target`: a path, with or without a query, or the name of a service.
+  Verdict decide(unsigned of, std::string_view method, std::string_view target) {
+    const std::lock_guard lock(mutex_);
+    std::vector<const RequestFault*> rows;
+    for (const RequestFault& row : faults_.requests) {
+      if ((row.of & of) != 0 && isBelow(target.substr(0, target.find('?')), row.path)) rows.push_back(&row);
+    }
+    Verdict verdict;
+    if (rows.empty()) return verdict;
+    Dice dice(next(method, target));
+    verdict.dice = dice.next();
+    for (const RequestFault* row : rows) {
+      const int most_ms = std::clamp(row->number, 0, kLongestDelayMs);
+      if (row->kind == FaultKind::Delay) verdict.delay_ms += most_ms;
+      if (row->kind == FaultKind::Jitter && most_ms > 0) verdict.delay_ms += dice.integer(0, most_ms);
+    }
     double lot = unitFrom(dice.next());
-    for (const auto& [rate, kind] : {std::pair{faults_.drop_rate, FaultKind::Drop},
-                                     {faults_.truncate_rate, FaultKind::Truncate},
-                                     {faults_.wrong_size_rate, FaultKind::WrongSize},
-                                     {faults_.corrupt_rate, FaultKind::Corrupt},
-                                     {faults_.error_rate, FaultKind::HttpError},
-                                     {faults_.status_code_rate, FaultKind::StatusError}}) {
-      if (!(rate > 0)) continue;
-      if (lot < rate) {
-        fault.kind = kind;
+    for (const RequestFault* row : rows) {
+      if (row->kind == FaultKind::Delay || row->kind == FaultKind::Jitter) continue;
+      if (row->kind == FaultKind::Ignore && (of & kWrites) == 0) continue;
+      if (lot < row->rate) {
+        verdict.kind = row->kind;
+        verdict.number = row->number;
         break;
       }
-      lot -= rate;
+      lot -= row->rate;
     }
-    return fault;
-  }
-
-  /// What happens to a changing request. `dice` decides the rest.
-  WriteFault drawWrite(const std::string& key, std::uint64_t& dice) {
-    const std::lock_guard lock(mutex_);
-    Dice throws(next(key));
-    dice = throws.next();
-    double lot = unitFrom(throws.next());
-    for (const auto& [rate, fault] : {std::pair{faults_.write_error_rate, WriteFault::Error},
-                                      {faults_.drop_writes, WriteFault::Drop},
-                                      {faults_.lose_write_answers, WriteFault::LoseAnswer},
-                                      {faults_.ignore_writes, WriteFault::Ignore}}) {
-      if (lot < rate) return fault;
-      lot -= rate;
-    }
-    return WriteFault::None;
-  }
-
-  bool drawCut(const std::string& key) {
-    const std::lock_guard lock(mutex_);
-    return faults_.cut_downloads > 0 && unitFrom(Dice(next(key)).next()) < faults_.cut_downloads;
+    return verdict;
   }
 
  private:
   static constexpr std::size_t kMostKeys = 500'000;
-  static constexpr int kLongestDelayMs = 600'000;
 
-  std::uint64_t next(const std::string& key) {
+  static bool isBelow(std::string_view path, std::string_view place) {
+    if (!path.starts_with(place)) return false;
+    return place.empty() || place.ends_with('/') || path.size() == place.size() || path[place.size()] == '/';
+  }
+
+  std::uint64_t next(std::string_view method, std::string_view target) {
+    const std::string key =
+        (method == "GET" ? std::string() : std::string(method) + ' ') + std::string(target);
     if (tries_.size() > kMostKeys) tries_.clear();
     std::uint64_t h = hashOf(seed_, 53, tries_[key]++);
     for (const char c : key) h = mix(h ^ static_cast<unsigned char>(c));

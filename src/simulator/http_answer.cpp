@@ -139,6 +139,18 @@ bool matchesTag(std::string_view if_none_match, std::string_view tag) {
   return false;
 }
 
+HttpAnswer Answerer::answer(const HttpQuestion& question) {
+  const Verdict verdict = faults_.decide(kindsOf(question), question.method, question.target);
+  HttpAnswer answer = verdict.isDone()                ? answered(question, verdict)
+                      : verdict.is(FaultKind::Refuse) ? refused(question, verdict)
+                      : verdict.is(FaultKind::Ignore) ? ignored(question)
+                                                      : HttpAnswer();
+  answer.drop = !verdict.isAnswered();
+  answer.truncate = verdict.is(FaultKind::Truncate) && answer.body != nullptr;
+  answer.delay_ms = verdict.is(FaultKind::Silence) ? FaultPlan::kLongestDelayMs : verdict.delay_ms;
+  return answer;
+}
+
 std::optional<RequestFields> RequestFields::read(std::string_view content_type, std::string_view body) {
   if (content_type.starts_with("multipart/form-data"))
     return readForm(parameterOf(content_type, "boundary"), body);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "simulator/fault_plan.h"
 #include "simulator/value.h"
 
 namespace mapwright::simulator {
@@ -98,13 +99,27 @@ class RequestFields {
 /// Answers the requests on a port.
 class Answerer {
  public:
+  explicit Answerer(FaultPlan& faults) : faults_(faults) {}
   virtual ~Answerer() = default;
-  /// Safe from any thread.
-  virtual HttpAnswer answer(const HttpQuestion& question) = 0;
+  /// As the faults leave it. Safe from any thread.
+  HttpAnswer answer(const HttpQuestion& question);
   /// Whether the answer may take milliseconds: then a worker makes it.
   virtual bool isSlow(std::string_view path) const = 0;
   /// Whether a client with this Secret header may use the WebSocket.
   virtual bool opensTopics(std::string_view secret) const = 0;
+
+ protected:
+  Faults faults() const { return faults_.faults(); }
+
+ private:
+  /// What kinds of Requests it is.
+  virtual unsigned kindsOf(const HttpQuestion& question) const = 0;
+  virtual HttpAnswer answered(const HttpQuestion& question, const Verdict& verdict) = 0;
+  virtual HttpAnswer refused(const HttpQuestion& question, const Verdict& verdict) const = 0;
+  /// The answer to a write that is not carried out, as if it was.
+  virtual HttpAnswer ignored(const HttpQuestion& question) = 0;
+
+  FaultPlan& faults_;
 };
 
 }  // namespace mapwright::simulator

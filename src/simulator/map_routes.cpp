@@ -41,11 +41,10 @@ HttpAnswer pictureAnswer(const Robot& robot, const Request& request, const MapPi
 }
 
 /// Bytes that a client may cache by their tag, and get from any place on.
-HttpAnswer bytesAnswer(const Robot& robot, std::string bytes, const Request& request) {
+HttpAnswer bytesAnswer(std::string bytes, const Request& request) {
   const std::string tag = quoted(contentHash(bytes));
   const bool known = matchesTag(request.question.if_none_match, tag);
   HttpAnswer answer = known ? emptyAnswer(304) : bytesFrom(request.question, std::move(bytes), tag);
-  answer.truncate = answer.body && robot.faults.drawCut(std::string(request.question.target));
   answer.headers.insert(answer.headers.end(), {{"ETag", tag}, {"Cache-Control", "no-cache"}});
   return answer;
 }
@@ -201,7 +200,6 @@ HttpAnswer createMap(const Robot& robot, const Request& request) {
 }
 
 HttpAnswer listMaps(const Robot& robot, const Request&) {
-  if (robot.faults.faults().map_list_error) return errorAnswer(500, "The database is locked.");
   Value::List rows;
   for (const StoredMap& map : robot.library.maps()) rows.push_back(mapRow(map));
   return valueAnswer(200, rows);
@@ -279,7 +277,7 @@ HttpAnswer mapThumbnail(const Robot& robot, const StoredMap& map, const Request&
 }
 
 HttpAnswer mapPbstream(const Robot& robot, const StoredMap& map, const Request& request) {
-  return bytesAnswer(robot, pbstreamOf(robot.library, map), request);
+  return bytesAnswer(pbstreamOf(robot.library, map), request);
 }
 
 HttpAnswer staticFile(const Robot& robot, const Request& request) {
@@ -472,7 +470,7 @@ HttpAnswer taskThumbnail(const Robot& robot, const DrivenWay&, const PictureSpec
 
 HttpAnswer taskPbstream(const Robot& robot, const DrivenWay&, const PictureSpec& spec,
                         const Request& request) {
-  return bytesAnswer(robot, pbstreamOf(robot.library.pictures().picture(spec)), request);
+  return bytesAnswer(pbstreamOf(robot.library.pictures().picture(spec)), request);
 }
 
 constexpr Route kMapRoutes[] = {

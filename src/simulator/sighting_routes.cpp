@@ -53,14 +53,12 @@ HttpAnswer collectedFile(const Robot& robot, const Request& request) {
 
 HttpAnswer collect(const Robot&, const Request&) { return jsonAnswer(200, "{}"); }
 
-using Body = Route::Body;
-constexpr Route kSightingRoutes[] = {
-    {"GET", "/services/query_pose/#", seen, Body::Any, false},
-    {"POST", "/services/query_pose/#", seen, Body::Any, false},
-    {"POST", "/services/start_collecting_landmarks", collect, Body::Any, false},
-    {"POST", "/services/stop_collecting_landmarks", collect, Body::Any, false},
-    {"GET", "/collected_data/", collectedList, Body::Any, false},
-    {"GET", "/collected_data/*", collectedFile, Body::Any, false}};
+constexpr Route kSightingRoutes[] = {{"GET", "/services/query_pose/#", seen},
+                                     {"POST", "/services/query_pose/#", seen},
+                                     {"POST", "/services/start_collecting_landmarks", collect},
+                                     {"POST", "/services/stop_collecting_landmarks", collect},
+                                     {"GET", "/collected_data/", collectedList},
+                                     {"GET", "/collected_data/*", collectedFile}};
 
 }  // namespace
 

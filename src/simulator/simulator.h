@@ -81,44 +81,66 @@ struct DispatcherFaults {
   bool regrids = false;             // the layout of the grid changes every fourth call
 };
 
-/// All off by default.
+/// What may happen to a request, and to its answer.
+enum class FaultKind {
+  Delay,       // the answer comes `number` milliseconds late,
+  Jitter,      // and up to so many more
+  Drop,        // nothing is done, and the connection is closed without an answer
+  Refuse,      // nothing is done; the answer is an error, with the HTTP status or result code `number`
+  Ignore,      // nothing is done, and the answer says that all was well (writes only)
+  Cut,         // all is done, and the connection is closed without an answer
+  Silence,     // all is done, and no answer comes
+  Truncate,    // half of the body with the whole Content-Length, then the connection is closed (HTTP only)
+  WrongSize,   // of a submap: width and height do not fit the cells,
+  Corrupt,     // the protobuf is garbage,
+  StatusError  // its StatusResponse is an error
+};
+
+/// Which requests; they can be combined.
+enum Requests : unsigned {
+  kReads = 1,
+  kWrites = 2,  // POST, PUT, PATCH, DELETE, calls of AimDK and of ROS services that change something
+  kSubmaps = 4,
+  kMaps = 8,        // about maps, mappings, bags and static files, and all of AimDK
+  kMapList = 16,    // for the list of maps
+  kDownloads = 32,  // for a .pbstream
+  kServices = 64,   // calls of ROS services
+  kAllRequests = kReads | kWrites
+};
+
+/// A row of the table of faults. Of several rows at most one takes effect, besides delays: the first one by
+/// the lot of the request. Lots are drawn by seed, request and try, so that a run can be repeated.
+struct RequestFault {
+  FaultKind kind = FaultKind::Drop;
+  unsigned of = kAllRequests;
+  double rate = 1;        // the share of these requests, 0..1
+  int number = 0;         // see FaultKind; 0 = any status
+  std::string path = {};  // only this path or service, and what is below it; empty = all
+};
+
+/// What is wrong with topics and messages of the ROS robot.
 struct RosFaults {
-  int slow_ms = 0;                       // delay of every response; the work is done at once
-  bool shuffled_answers = false;         // every second response arrives after the ones that follow it
-  std::vector<std::string> silent;       // listed topics that never publish
-  bool wrong_type = false;               // /map, /scan and /odom have type std_msgs/String
-  int fragment_bytes = 0;                // > 0: messages are sent in fragments of this many characters
-  int restart_every_s = 0;               // > 0: the server restarts this often, without a closing handshake
-  std::vector<std::string> refuse;       // services that respond result:false and do nothing
-  std::vector<std::string> lose_answer;  // services that do their work but never respond
-  std::vector<std::string> cut_after;    // services that do their work, then close the connection
-  bool garbage = false;                  // frames that are not messages in between
-  int other_operator_every_s = 0;        // > 0: another client changes waypoints and maps this often
-  int waypoints_lag_ms = 0;              // > 0: the waypoint topic is this much late
-  int other_painter_every_s = 0;         // > 0: another client paints on the current map this often
-  int picture_code = 0;                  // > 0: update_map_image does nothing and returns this code
-  bool picture_ignored = false;          // update_map_image does nothing but reports success
-  bool nan_pose = false;                 // poses, transforms and a waypoint are NaN
-  bool zero_quaternion = false;          // quaternions are zero, or not normalised
-  bool tf_loop = false;                  // /tf says that map is below base_link, too
+  bool shuffled_answers = false;   // every second response arrives after the ones that follow it
+  bool wrong_type = false;         // /map, /scan and /odom have type std_msgs/String
+  int fragment_bytes = 0;          // > 0: messages are sent in fragments of this many characters
+  int restart_every_s = 0;         // > 0: the server restarts this often, without a closing handshake
+  bool garbage = false;            // frames that are not messages in between
+  int other_operator_every_s = 0;  // > 0: another client changes waypoints and maps this often
+  int waypoints_lag_ms = 0;        // > 0: the waypoint topic is this much late
+  int other_painter_every_s = 0;   // > 0: another client paints on the current map this often
+  bool nan_pose = false;           // poses, transforms and a waypoint are NaN
+  bool zero_quaternion = false;    // quaternions are zero, or not normalised
+  bool tf_loop = false;            // /tf says that map is below base_link, too
   DispatcherFaults dispatcher;
   bool big_endian_cloud = false;  // /points has big-endian numbers, and says so
 };
 
-/// What may go wrong on request. All rates are probabilities per submap request in 0..1, decided by the seed
-/// and the request's key and try, so that a run can be repeated.
+/// What may go wrong on request. All off by default.
 struct Faults {
-  int latency_ms = 0;              // added to every submap answer
-  int jitter_ms = 0;               // plus 0..jitter
-  double drop_rate = 0;            // the connection is closed without an answer
-  double truncate_rate = 0;        // half the body, full Content-Length, then closed
-  double wrong_size_rate = 0;      // width/height in the answer do not fit the cells
-  double corrupt_rate = 0;         // the protobuf is garbage
-  double error_rate = 0;           // an HTTP error
-  int error_status = 500;          // which: 400, 404, 500, 502, 504
-  double status_code_rate = 0;     // HTTP 200 whose StatusResponse is an error
-  int websocket_drop_every_s = 0;  // > 0: the WebSocket is cut this often
-  int uuid_change_every_s = 0;     // > 0: the SLAM session restarts this often
+  std::vector<RequestFault> requests;  // of all robots
+  std::vector<std::string> silent;     // topics of all robots that are listed and never publish
+  int websocket_drop_every_s = 0;      // > 0: the WebSocket is cut this often
+  int uuid_change_every_s = 0;         // > 0: the SLAM session restarts this often
   // /submap_list also holds NaN poses, zero quaternions, duplicates, a version going back
   bool bad_entries = false;
   bool silent_websocket = false;  // accepts, then never sends nor pongs
@@ -130,18 +152,7 @@ struct Faults {
   // "zero-resolution", "negative-resolution", "no-resolution" or "no-origin" in picture topics and map
   // details
   std::string grid_fault;
-  int map_latency_ms = 0;       // added to every answer about maps, bags and static files
-  bool map_list_error = false;  // 500 for /maps/
-  // Requests that change something (POST, PUT, PATCH, DELETE).
-  int write_latency_ms = 0;       // added to every answer
-  double write_error_rate = 0;    // 500, 502, 503 or an HTML page; nothing is changed
-  double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
-  double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
-  bool sees_nothing = false;      // no charger, rack, pallet or trailer; nothing was collected
-  double ignore_writes = 0;       // answered as if all was well; nothing is changed
-  /// Only writes to paths that begin with this fail; empty = all.
-  std::string write_fault_path;
-  double cut_downloads = 0;      // a .pbstream breaks off half-way
+  bool sees_nothing = false;     // no charger, rack, pallet or trailer; nothing was collected
   int overlay_edit_every_s = 0;  // > 0: somebody else changes the overlays of the current map this often
   bool overlay_edit_before_writes = false;  // and right before every change of them
   RosFaults ros;

@@ -206,7 +206,7 @@ class BagReportTest : public QObject {
       simulator::Options options;
       options.paused = true;
       options.start_at_s = 1500;
-      options.faults.map_latency_ms = latency_ms;
+      options.faults.requests.push_back({simulator::FaultKind::Delay, simulator::kMaps, 1, latency_ms});
       simulator::Simulator robot(options);
       QVERIFY(!robot.start());
       const auto done =

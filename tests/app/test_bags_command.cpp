@@ -809,7 +809,9 @@ class BagsCommandTest : public QObject {
     const QStringList before = names();
     QVERIFY(before.contains(name));
     simulator::Faults ignores, fails, loses;
-    ignores.ignore_writes = fails.write_error_rate = loses.lose_write_answers = 1;
+    ignores.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
+    fails.requests.push_back({simulator::FaultKind::Refuse, simulator::kWrites});
+    loses.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     robot_->setFaults(ignores);
     const Outcome ignored = run(QStringLiteral("record"));
     QCOMPARE(ignored.code, 1);

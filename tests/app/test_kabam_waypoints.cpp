@@ -80,7 +80,8 @@ class KabamWaypointsTest : public QObject {
     planRing(before);
     const QStringList old = namesOf(before);
     simulator::Faults faults;
-    faults.ros.cut_after = {"/map_manager/rename_waypoint"};
+    faults.requests.push_back(
+        {simulator::FaultKind::Cut, simulator::kServices, 1, 0, "/map_manager/rename_waypoint"});
     robot_->setFaults(faults);
     Outcome applied;
     int attempts = 0;
@@ -173,7 +174,10 @@ class KabamWaypointsTest : public QObject {
   }
 
   void aListThatOnlyTheTopicGaveIsSaidToBePossiblyOld() {
-    start([](simulator::Options& options) { options.faults.ros.refuse = {"/map_manager/get_waypoint"}; });
+    start([](simulator::Options& options) {
+      options.faults.requests.push_back(
+          {simulator::FaultKind::Refuse, simulator::kServices, 1, 0, "/map_manager/get_waypoint"});
+    });
     const Outcome list = run("list");
     QCOMPARE(list.code, 0);
     QVERIFY2(list.err.contains(QStringLiteral("may be out of date")), qPrintable(list.err));

@@ -154,8 +154,7 @@ class LiveRobotTest : public QObject {
 
   void a404IsNotRepeated() {
     simulator::Options options;
-    options.faults.error_rate = 0.3;
-    options.faults.error_status = 404;
+    options.faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kSubmaps, 0.3, 404});
     startRobot(options);
     submap::SchedulerOptions quick;
     quick.cooldown = submap::Millis(20);
@@ -181,11 +180,16 @@ class LiveRobotTest : public QObject {
   void failuresHealAndTheOthersAreNotHeldUp() {
     QFETCH(QString, fault);
     simulator::Options options;
-    if (fault == QLatin1String("drop")) options.faults.drop_rate = 0.5;
-    if (fault == QLatin1String("truncate")) options.faults.truncate_rate = 0.5;
-    if (fault == QLatin1String("corrupt")) options.faults.corrupt_rate = 0.5;
-    if (fault == QLatin1String("error")) options.faults.error_rate = 0.5;
-    if (fault == QLatin1String("status")) options.faults.status_code_rate = 0.5;
+    if (fault == QLatin1String("drop"))
+      options.faults.requests.push_back({simulator::FaultKind::Drop, simulator::kSubmaps, 0.5});
+    if (fault == QLatin1String("truncate"))
+      options.faults.requests.push_back({simulator::FaultKind::Truncate, simulator::kSubmaps, 0.5});
+    if (fault == QLatin1String("corrupt"))
+      options.faults.requests.push_back({simulator::FaultKind::Corrupt, simulator::kSubmaps, 0.5});
+    if (fault == QLatin1String("error"))
+      options.faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kSubmaps, 0.5});
+    if (fault == QLatin1String("status"))
+      options.faults.requests.push_back({simulator::FaultKind::StatusError, simulator::kSubmaps, 0.5});
     startRobot(options);
     submap::SchedulerOptions quick;
     quick.cooldown = submap::Millis(30);
@@ -199,7 +203,7 @@ class LiveRobotTest : public QObject {
 
   void theCooldownIsKept() {
     simulator::Options options;
-    options.faults.error_rate = 1;
+    options.faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kSubmaps});
     startRobot(options);
     submap::SchedulerOptions scheduler;
     scheduler.cooldown = submap::Millis(400);
@@ -219,7 +223,7 @@ class LiveRobotTest : public QObject {
 
   void wrongSizesAreReportedAndNotAskedForAgain() {
     simulator::Options options;
-    options.faults.wrong_size_rate = 0.4;
+    options.faults.requests.push_back({simulator::FaultKind::WrongSize, simulator::kSubmaps, 0.4});
     startRobot(options);
     const auto session = connectTo();
     QTRY_VERIFY_WITH_TIMEOUT(session->settled(1) && session->counts().corrupt > 0, kTimeoutMs);

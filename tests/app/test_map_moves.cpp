@@ -95,11 +95,13 @@ class MapMovesTest : public QObject {
     QFETCH(int, code);
     QFETCH(QString, says);
     simulator::Faults faults;
-    faults.write_fault_path = "/chassis/pose";
-    if (fault == QLatin1String("ignore")) faults.ignore_writes = 1;
-    if (fault == QLatin1String("drop")) faults.drop_writes = 1;
-    if (fault == QLatin1String("lose")) faults.lose_write_answers = 1;
-    if (fault == QLatin1String("error")) faults.write_error_rate = 1;
+    const auto fails = [&](simulator::FaultKind kind) {
+      faults.requests.push_back({kind, simulator::kWrites, 1, 0, "/chassis/pose"});
+    };
+    if (fault == QLatin1String("ignore")) fails(simulator::FaultKind::Ignore);
+    if (fault == QLatin1String("drop")) fails(simulator::FaultKind::Drop);
+    if (fault == QLatin1String("lose")) fails(simulator::FaultKind::Cut);
+    if (fault == QLatin1String("error")) fails(simulator::FaultKind::Refuse);
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     const Ended set = run(robot, setPose("500,-3,90"));
@@ -166,7 +168,7 @@ class MapMovesTest : public QObject {
     for (const bool changes : {false, true}) {
       const char* const name = changes ? "changed" : "cut";
       simulator::Faults faults;
-      faults.cut_downloads = 1;
+      faults.requests.push_back({simulator::FaultKind::Truncate, simulator::kDownloads});
       simulator::Simulator robot(paused(faults));
       QVERIFY(!robot.start());
       const Ended cut = run(robot, download("1", name));
@@ -264,8 +266,8 @@ class MapMovesTest : public QObject {
     QCOMPARE(run(robot, {QStringLiteral("stop-mapping")}).code, 0);
     const int before = changesIn(robot);
     simulator::Faults faults;
-    faults.map_list_error = true;
-    faults.ignore_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kMapList, 1, 500});
+    faults.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
     robot.setFaults(faults);
     // The map may be there already.
     QVERIFY(run(robot, {QStringLiteral("upload"), program_.path("kept")}).code != 0);
@@ -282,10 +284,14 @@ class MapMovesTest : public QObject {
   void aMapThatWasNotAddedIsNotClaimed() {
     QFETCH(QString, fault);
     simulator::Faults faults;
-    if (fault == QLatin1String("ignore")) faults.ignore_writes = 1;
-    if (fault == QLatin1String("drop")) faults.drop_writes = 1;
-    if (fault == QLatin1String("lose")) faults.lose_write_answers = 1;
-    if (fault == QLatin1String("error")) faults.write_error_rate = 1;
+    if (fault == QLatin1String("ignore"))
+      faults.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
+    if (fault == QLatin1String("drop"))
+      faults.requests.push_back({simulator::FaultKind::Drop, simulator::kWrites});
+    if (fault == QLatin1String("lose"))
+      faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
+    if (fault == QLatin1String("error"))
+      faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kWrites});
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     program_.put("hall.png", pngOf(60, 40));
@@ -315,7 +321,7 @@ class MapMovesTest : public QObject {
 
   void thatNothingIsMappedIsNoSuccessOfStopping() {
     simulator::Faults faults;
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     QVERIFY(run(robot, {QStringLiteral("stop-mapping")}).code != 0);
@@ -326,7 +332,7 @@ class MapMovesTest : public QObject {
     QVERIFY(!robot.start());
     QCOMPARE(run(robot, {QStringLiteral("start-mapping")}).code, 0);
     simulator::Faults faults;
-    faults.ignore_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
     robot.setFaults(faults);
     for (const QStringList& words :
          {QStringList{QStringLiteral("stop-mapping")},

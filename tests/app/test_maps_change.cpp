@@ -95,15 +95,19 @@ class MapsChangeTest : public QObject {
     QFETCH(int, code);
     QFETCH(QString, says);
     simulator::Faults faults;
-    if (fault == QLatin1String("it stumbles")) faults.write_error_rate = 1;
-    if (fault == QLatin1String("it hangs up")) faults.drop_writes = 1;
-    if (fault == QLatin1String("it takes its time")) faults.write_latency_ms = 60'000;
+    if (fault == QLatin1String("it stumbles"))
+      faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kWrites});
+    if (fault == QLatin1String("it hangs up"))
+      faults.requests.push_back({simulator::FaultKind::Drop, simulator::kWrites});
+    if (fault == QLatin1String("it takes its time"))
+      faults.requests.push_back({simulator::FaultKind::Delay, simulator::kWrites, 1, 60'000});
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     QStringList words{QStringLiteral("rename"),
                       fault == QLatin1String("no such map") ? QStringLiteral("99") : QStringLiteral("2"),
                       QStringLiteral("Lobby")};
-    if (faults.write_latency_ms > 0) words << QStringLiteral("--timeout") << QStringLiteral("2");
+    if (fault == QLatin1String("it takes its time"))
+      words << QStringLiteral("--timeout") << QStringLiteral("2");
     const Outcome outcome = run(robot, words);
     QVERIFY2(outcome.code == code, qPrintable(outcome.err));
     QVERIFY2(outcome.err.contains(says), qPrintable(outcome.err));
@@ -114,7 +118,7 @@ class MapsChangeTest : public QObject {
 
   void anAnswerThatIsLostIsLookedFor() {
     simulator::Faults faults;
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     const Outcome renamed =
@@ -211,7 +215,7 @@ class MapsChangeTest : public QObject {
 
   void whatBecameOfAChangeIsLookedForWhenItsAnswerIsLost() {
     simulator::Faults faults;
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     const std::vector<QStringList> all{
@@ -228,7 +232,7 @@ class MapsChangeTest : public QObject {
 
   void whatTheRobotDidNotDoIsNotClaimed() {
     simulator::Faults faults;
-    faults.drop_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Drop, simulator::kWrites});
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
     const std::vector<QStringList> all{

@@ -308,7 +308,7 @@ class OtherRobotsTest : public QObject {
     QFETCH(QString, command);
     simulator::Options options;
     options.paused = true;
-    options.faults.map_latency_ms = 600'000;
+    options.faults.requests.push_back({simulator::FaultKind::Delay, simulator::kMaps, 1, 600'000});
     simulator::Simulator robot(options);
     QVERIFY(!robot.start());
     const QString picture = at(QStringLiteral("late.png"));

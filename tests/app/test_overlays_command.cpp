@@ -197,7 +197,7 @@ class OverlaysCommandTest : public QObject {
 
   void whatTheRobotOnlySaysThatItDidIsNotDone() {
     simulator::Faults faults;
-    faults.ignore_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
     start(faults);
     program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
     const Ended ignored = run("set mine.geojson --base base.geojson --json");
@@ -223,19 +223,17 @@ class OverlaysCommandTest : public QObject {
 
   void whatBecameOfALostChangeIsLookedFor() {
     simulator::Faults faults;
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     start(faults);
     program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
     const Ended lost = run("set mine.geojson --base base.geojson");
     QVERIFY2(lost.code == 0, qPrintable(lost.err));
-    faults.lose_write_answers = 0;
-    faults.drop_writes = 1;
+    faults.requests = {{simulator::FaultKind::Drop, simulator::kWrites}};
     start(faults);
     const Ended dropped = run("set mine.geojson --base base.geojson --timeout 10");
     QVERIFY2(dropped.code == 1, qPrintable(dropped.err));
     QVERIFY(held().contains("\"Charger\""));
-    faults.drop_writes = 0;
-    faults.write_error_rate = 1;
+    faults.requests = {{simulator::FaultKind::Refuse, simulator::kWrites}};
     start(faults);
     QCOMPARE(run("set mine.geojson --base base.geojson").code, 1);  // it may have been made all the same
   }

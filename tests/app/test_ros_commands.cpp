@@ -323,8 +323,9 @@ class RosCommandsTest : public QObject {
     simulator::Options options;
     options.paused = true;
     options.ros.kabam = false;
-    options.faults.ros.silent = {"/map"};
-    options.faults.ros.refuse = {"/static_map"};
+    options.faults.silent = {"/map"};
+    options.faults.requests.push_back(
+        {simulator::FaultKind::Refuse, simulator::kServices, 1, 0, "/static_map"});
     robot_ = std::make_unique<simulator::Simulator>(options);
     QVERIFY(!robot_->start());
     QTemporaryDir folder;

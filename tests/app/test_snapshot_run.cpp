@@ -181,8 +181,7 @@ class SnapshotRunTest : public QObject {
 
   void whatIsMissingIsSaid() {
     simulator::Options robot = frozen();
-    robot.faults.error_rate = 0.3;
-    robot.faults.error_status = 404;
+    robot.faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kSubmaps, 0.3, 404});
     QJsonObject report;
     QCOMPARE(take(small(QStringLiteral("missing.png")), robot, &report), int(app::kIncomplete));
     QVERIFY(!report[QLatin1String("complete")].toBool());

@@ -171,7 +171,7 @@ class AimdkNewerTest : public QObject {
 
   void whatTheRobotAcceptsAndDoesNotDoIsAFailure() {
     simulator::Faults faults;
-    faults.ignore_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
     makeNewer(faults);
     const auto renamed = carryOut({MapChange::Rename, kRiver, "Lobby"});
     QVERIFY(renamed && renamed->name == "River Park");  // the caller compares
@@ -191,7 +191,7 @@ class AimdkNewerTest : public QObject {
 
   void anAnswerThatIsLostIsLookedFor() {
     simulator::Faults faults;
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     makeNewer(faults);
     const auto renamed = carryOut({MapChange::Rename, kRiver, "Lobby"});
     QVERIFY2(renamed && renamed->name == "Lobby", why(renamed));
@@ -200,7 +200,7 @@ class AimdkNewerTest : public QObject {
     QCOMPARE(made->ids.at("ours"), std::string("10"));
     QCOMPARE(writes(), 2);  // nothing is sent twice
     faults = {};
-    faults.drop_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Drop, simulator::kWrites});
     simulator_->setFaults(faults);
     const auto lost = carryOut({MapChange::Rename, kRiver, "Hall"});
     QVERIFY(!lost && lost.error().applied == Applied::Maybe && lost.error().kind == FailureKind::Unreachable);

@@ -523,7 +523,7 @@ class AxbotBagsTest : public QObject {
           [&](OutcomeTo<BagKey> reply) { return bench.bags().remove(made->key, std::move(reply)); });
     };
     simulator::Faults ignores;
-    ignores.ignore_writes = 1;
+    ignores.requests.push_back({simulator::FaultKind::Ignore, simulator::kWrites});
     bench.sim.setFaults(ignores);
     const auto ignored = remove();
     QVERIFY(!ignored && ignored.error().cause.code == axbot::fault::StillThere);
@@ -539,31 +539,22 @@ class AxbotBagsTest : public QObject {
   }
 
   void whatIsListedAfterwardsCounts_data() {
-    QTest::addColumn<double>("error");
-    QTest::addColumn<double>("drop");
-    QTest::addColumn<double>("lose");
-    QTest::addColumn<double>("ignore");
+    QTest::addColumn<simulator::FaultKind>("kind");
     QTest::addColumn<bool>("done");   // by the robot
     QTest::addColumn<bool>("known");  // what became of a deletion
-    QTest::newRow("done") << 0.0 << 0.0 << 0.0 << 0.0 << true << true;
-    QTest::newRow("an error of its own") << 1.0 << 0.0 << 0.0 << 0.0 << false << false;
-    QTest::newRow("nothing, no answer") << 0.0 << 1.0 << 0.0 << 0.0 << false << false;
-    QTest::newRow("done, no answer") << 0.0 << 0.0 << 1.0 << 0.0 << true << true;
-    QTest::newRow("nothing, and said that it did") << 0.0 << 0.0 << 0.0 << 1.0 << false << true;
+    QTest::newRow("done") << simulator::FaultKind::Delay << true << true;
+    QTest::newRow("an error of its own") << simulator::FaultKind::Refuse << false << false;
+    QTest::newRow("nothing, no answer") << simulator::FaultKind::Drop << false << false;
+    QTest::newRow("done, no answer") << simulator::FaultKind::Cut << true << true;
+    QTest::newRow("nothing, and said that it did") << simulator::FaultKind::Ignore << false << true;
   }
   void whatIsListedAfterwardsCounts() {
     QFETCH(bool, done);
     QFETCH(bool, known);
     Bench bench;
-    QFETCH(double, error);
-    QFETCH(double, drop);
-    QFETCH(double, lose);
-    QFETCH(double, ignore);
+    QFETCH(simulator::FaultKind, kind);
     simulator::Faults faults;
-    faults.write_error_rate = error;
-    faults.drop_writes = drop;
-    faults.lose_write_answers = lose;
-    faults.ignore_writes = ignore;
+    faults.requests.push_back({kind, simulator::kWrites});
     const auto listed = [&] {
       const auto rows = bench.ask<std::vector<BagEntry>>(
           [&](OutcomeTo<std::vector<BagEntry>> reply) { return bench.bags().list(std::move(reply)); });

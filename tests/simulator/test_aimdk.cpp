@@ -11,9 +11,7 @@
 
 namespace test_aimdk {
 
-using mapwright::simulator::Faults;
-using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -192,7 +190,7 @@ class TestAimdk : public QObject {
         QStringLiteral("0"));
     QCOMPARE(data(names(robot))[QLatin1String("map_lists")].toArray().size(), 4);
     Faults faults;
-    faults.ignore_writes = 1;
+    faults.requests.push_back({FaultKind::Ignore, kWrites});
     robot.setFaults(faults);
     const char* const removal = "\"command\":\"MappingCommand_DELETE_MAP\",\"map_id\":\"1764137567113\"";
     QCOMPARE(code(ask(robot, "DeleteMap", removal)), QStringLiteral("0"));
@@ -206,7 +204,7 @@ class TestAimdk : public QObject {
     Simulator robot(paused());
     QVERIFY(!robot.start());
     Faults faults;
-    faults.map_list_error = true;
+    faults.requests.push_back({FaultKind::Refuse, kMapList, 1, 500});
     robot.setFaults(faults);
     QCOMPARE(names(robot).status, 500);
     faults = {};

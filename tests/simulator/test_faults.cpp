@@ -1,6 +1,7 @@
 // Every fault on request, and none without.
 #include <set>
 
+#include <QTcpSocket>
 #include <QTest>
 
 #include "raw_robot.h"
@@ -10,9 +11,7 @@
 
 namespace test_faults {
 
-using mapwright::simulator::Faults;
-using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -41,7 +40,7 @@ class TestFaults : public QObject {
  private Q_SLOTS:
   void droppedRequestsGetNoAnswer() {
     Faults faults;
-    faults.drop_rate = 1;
+    faults.requests.push_back({FaultKind::Drop, kSubmaps});
     Simulator robot(faulty(faults));
     QVERIFY(!robot.start());
     QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, 0);
@@ -55,7 +54,7 @@ class TestFaults : public QObject {
     Simulator robot(faulty(faults));
     QVERIFY(!robot.start());
     const raw::HttpReply good = raw::get(robot.port(), target(robot, 0));
-    faults.truncate_rate = 1;
+    faults.requests.push_back({FaultKind::Truncate, kSubmaps});
     robot.setFaults(faults);
     const raw::HttpReply bad = raw::get(robot.port(), target(robot, 0));
     QCOMPARE(bad.status, 200);
@@ -66,7 +65,7 @@ class TestFaults : public QObject {
 
   void wrongSizesDoNotFitTheCells() {
     Faults faults;
-    faults.wrong_size_rate = 1;
+    faults.requests.push_back({FaultKind::WrongSize, kSubmaps});
     Simulator robot(faulty(faults));
     QVERIFY(!robot.start());
     for (int index = 0; index < 8; ++index) {
@@ -78,7 +77,7 @@ class TestFaults : public QObject {
 
   void corruptAnswersAreNoMessage() {
     Faults faults;
-    faults.corrupt_rate = 1;
+    faults.requests.push_back({FaultKind::Corrupt, kSubmaps});
     Simulator robot(faulty(faults));
     QVERIFY(!robot.start());
     for (int index = 0; index < 8; ++index) {
@@ -92,8 +91,7 @@ class TestFaults : public QObject {
   void httpErrorsHaveTheChosenStatus() {
     for (const int status : {400, 404, 500, 502, 504}) {
       Faults faults;
-      faults.error_rate = 1;
-      faults.error_status = status;
+      faults.requests.push_back({FaultKind::Refuse, kSubmaps, 1, status});
       Simulator robot(faulty(faults));
       QVERIFY(!robot.start());
       QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, status);
@@ -102,7 +100,7 @@ class TestFaults : public QObject {
 
   void statusErrorsComeInsideAnOkAnswer() {
     Faults faults;
-    faults.status_code_rate = 1;
+    faults.requests.push_back({FaultKind::StatusError, kSubmaps});
     Simulator robot(faulty(faults));
     QVERIFY(!robot.start());
     const raw::HttpReply reply = raw::get(robot.port(), target(robot, 0));
@@ -114,8 +112,8 @@ class TestFaults : public QObject {
 
   void latencyDelaysOneAnswerAndNoOther() {
     Faults faults;
-    faults.latency_ms = 300;
-    faults.jitter_ms = 50;
+    faults.requests.push_back({FaultKind::Delay, kSubmaps, 1, 300});
+    faults.requests.push_back({FaultKind::Jitter, kSubmaps, 1, 50});
     Simulator robot(faulty(faults));
     QVERIFY(!robot.start());
     QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, 200);
@@ -125,8 +123,8 @@ class TestFaults : public QObject {
 
   void theSameSeedFailsTheSameRequests() {
     Faults faults;
-    faults.drop_rate = 0.3;
-    faults.error_rate = 0.3;
+    faults.requests.push_back({FaultKind::Drop, kSubmaps, 0.3});
+    faults.requests.push_back({FaultKind::Refuse, kSubmaps, 0.3});
     const auto outcomes = [&](std::uint32_t seed) {
       Options options = faulty(faults);
       options.seed = seed;
@@ -146,6 +144,36 @@ class TestFaults : public QObject {
     QCOMPARE(std::set<int>(first.begin(), first.end()), (std::set<int>{0, 200, 500}));
     QVERIFY(std::vector<int>(first.begin(), first.begin() + 20) !=
             std::vector<int>(first.begin() + 20, first.end()));
+  }
+
+  void aPathIsMetWithAllThatIsBelowIt() {
+    Options options;
+    options.paused = true;
+    options.faults.requests = {{FaultKind::Refuse, kReads, 1, 404, "/device/info"},
+                               {FaultKind::Cut, kWrites, 1, 0, "/maps/"}};
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    QCOMPARE(raw::get(robot.port(), "/device/info").status, 404);
+    QCOMPARE(raw::get(robot.port(), "/device/info/brief?x=1").status, 404);
+    QCOMPARE(raw::get(robot.port(), "/device/boot_progress").status, 200);
+    QCOMPARE(raw::send(robot.port(), "DELETE", "/maps/2", "").status, 0);
+    QCOMPARE(raw::get(robot.port(), "/maps/2").status, 404);  // it was done
+  }
+
+  void aRequestMayHaveNoAnswerAtAll() {
+    Options options;
+    options.paused = true;
+    options.faults.requests = {{FaultKind::Silence, kAllRequests, 1, 0, "/maps/2"}};
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    QTcpSocket client;
+    client.connectToHost(QStringLiteral("127.0.0.1"), robot.port());
+    QVERIFY(client.waitForConnected());
+    client.write("DELETE /maps/2 HTTP/1.1\r\nHost: x\r\n\r\n");
+    QTRY_COMPARE(robot.requestLog().size(), std::size_t(1));
+    QTRY_COMPARE(raw::get(robot.port(), "/maps/").body.find("620620f9c0fd0ecb0f66d981"), std::string::npos);
+    QCOMPARE(client.state(), QAbstractSocket::ConnectedState);
+    QCOMPARE(robot.requestLog().front().until_s, -1.0);
   }
 
   void badEntriesStandBesideGoodOnes() {

@@ -13,9 +13,7 @@
 
 namespace test_http {
 
-using mapwright::simulator::Options;
-using mapwright::simulator::RequestRecord;
-using mapwright::simulator::Simulator;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -238,7 +236,8 @@ class TestHttp : public QObject {
 
   void theLogCountsRequestsThatAreUnderWayTogether() {
     Options options = paused();
-    options.faults.latency_ms = 60'000;  // nothing is answered while this test looks
+    options.faults.requests.push_back(
+        {FaultKind::Delay, kSubmaps, 1, 60'000});  // nothing is answered while this test looks
     Simulator robot(options);
     QVERIFY(!robot.start());
     const std::string request = "GET " + submapPath(robot, "0/0?ver=24") + " HTTP/1.1\r\nHost: x\r\n\r\n";
@@ -262,7 +261,7 @@ class TestHttp : public QObject {
 
   void aClientThatHangsUpIsNoLongerUnderWay() {
     Options options = paused();
-    options.faults.latency_ms = 60'000;
+    options.faults.requests.push_back({FaultKind::Delay, kSubmaps, 1, 60'000});
     Simulator robot(options);
     QVERIFY(!robot.start());
     const std::string request = "GET " + submapPath(robot, "0/0?ver=24") + " HTTP/1.1\r\nHost: x\r\n\r\n";

@@ -12,8 +12,7 @@
 
 namespace test_maps {
 
-using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -277,7 +276,7 @@ class TestMaps : public QObject {
     Simulator robot(paused());
     QVERIFY(!robot.start());
     const std::string whole = raw::get(robot.port(), "/maps/1.png").body;
-    mapwright::simulator::Faults faults;
+    Faults faults;
     faults.truncated_maps = true;
     robot.setFaults(faults);
     const raw::HttpReply half = raw::get(robot.port(), "/maps/1.png");
@@ -288,7 +287,7 @@ class TestMaps : public QObject {
     QCOMPARE(raw::get(robot.port(), "/maps/1.png").body.substr(16, 8),
              std::string("\0\0\xEA\x60\0\0\xEA\x60", 8));
     faults = {};
-    faults.map_list_error = true;
+    faults.requests.push_back({FaultKind::Refuse, kMapList, 1, 500});
     robot.setFaults(faults);
     QCOMPARE(raw::get(robot.port(), "/maps/").status, 500);
     QCOMPARE(raw::get(robot.port(), "/maps").status, 500);

@@ -10,8 +10,7 @@
 
 namespace test_ros_faults {
 
-using mapwright::simulator::Options;
-using mapwright::simulator::RosFaults;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -20,6 +19,12 @@ constexpr const char* kLabel = R"({"map_id":"%1","new_map_label":"Changed"})";
 Options with(const RosFaults& faults) {
   Options options = RosRobot::still();
   options.faults.ros = faults;
+  return options;
+}
+
+Options with(RequestFault fault) {
+  Options options = RosRobot::still();
+  options.faults.requests = {std::move(fault)};
   return options;
 }
 
@@ -42,9 +47,7 @@ class TestRosFaults : public QObject {
 
  private Q_SLOTS:
   void answersMayBeSlow() {
-    RosFaults faults;
-    faults.slow_ms = 400;
-    RosRobot robot(with(faults));
+    RosRobot robot(with({FaultKind::Delay, kServices, 1, 400}));
     QElapsedTimer timer;
     timer.start();
     QVERIFY(!robot->ask("/rosapi/topics").isEmpty());
@@ -62,9 +65,9 @@ class TestRosFaults : public QObject {
   }
 
   void aTopicMayBeKnownAndSilent() {
-    RosFaults faults;
-    faults.silent = {"/map", "/odom"};
-    RosRobot robot(with(faults));
+    Options options = RosRobot::still();
+    options.faults.silent = {"/map", "/odom"};
+    RosRobot robot(options);
     QVERIFY(at(robot->values("/rosapi/topics"), "topics").toArray().contains(QLatin1String("/map")));
     for (const char* topic : {"/map", "/odom", "/tf"}) robot->subscribe(topic);
     QTRY_VERIFY(robot->count("/tf") > 10);
@@ -148,9 +151,7 @@ class TestRosFaults : public QObject {
   }
 
   void aServiceMayRefuse() {
-    RosFaults faults;
-    faults.refuse = {"/map_manager/rename_map"};
-    RosRobot robot(with(faults));
+    RosRobot robot(with({FaultKind::Refuse, kWrites, 1, 0, "/map_manager/rename_map"}));
     robot->send(relabelling(robot));
     const QJsonObject answer = robot->answerTo(QStringLiteral("r"));
     QCOMPARE(at(answer, "result").toBool(true), false);
@@ -161,10 +162,28 @@ class TestRosFaults : public QObject {
     QCOMPARE(label(*robot.client), QStringLiteral("Ground floor"));
   }
 
+  void aChangeMayBeIgnoredThoughItIsAnswered() {
+    RosRobot robot(with({FaultKind::Ignore, kWrites}));
+    robot->send(relabelling(robot));
+    const QJsonObject answer = robot->answerTo(QStringLiteral("r"));
+    QCOMPARE(at(answer, "result").toBool(), true);
+    QCOMPARE(at(answer, "values.result").toInt(-1), 0);
+    QVERIFY(robot->settle());
+    QCOMPARE(label(*robot.client), QStringLiteral("Ground floor"));
+  }
+
+  void aChangeMayBeDroppedWithTheLink() {
+    RosRobot robot(with({FaultKind::Drop, kWrites}));
+    robot->send(relabelling(robot));
+    QTRY_VERIFY(!robot->isOpen());
+    RosSocket again(robot.robot.rosPort());
+    again.subscribe("/map_manager/map_list");
+    again.first("/map_manager/map_list");
+    QCOMPARE(label(again), QStringLiteral("Ground floor"));
+  }
+
   void anAnswerMayBeLostWhenAllIsDone() {
-    RosFaults faults;
-    faults.lose_answer = {"/map_manager/rename_map"};
-    RosRobot robot(with(faults));
+    RosRobot robot(with({FaultKind::Silence, kWrites, 1, 0, "/map_manager/rename_map"}));
     robot->send(relabelling(robot));
     QTRY_COMPARE(label(*robot.client), QStringLiteral("Changed"));
     QVERIFY(robot->settle());
@@ -172,9 +191,7 @@ class TestRosFaults : public QObject {
   }
 
   void theLinkMayBeCutWhenAllIsDone() {
-    RosFaults faults;
-    faults.cut_after = {"/map_manager/rename_map"};
-    RosRobot robot(with(faults));
+    RosRobot robot(with({FaultKind::Cut, kWrites, 1, 0, "/map_manager/rename_map"}));
     robot->send(relabelling(robot));
     QTRY_VERIFY(!robot->isOpen());
     QCOMPARE(robot->answers.size(), 0);

@@ -8,7 +8,7 @@
 
 namespace test_ros_kabam {
 
-using mapwright::simulator::Options;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -231,14 +231,15 @@ class TestRosKabam : public QObject {
 
   void aPictureMayBeRefusedOrIgnored() {
     Options options = RosRobot::still();
-    options.faults.ros.picture_code = 4;
+    options.faults.requests = {{FaultKind::Refuse, kWrites, 1, 4, "/map_manager/update_map_image"}};
     QCOMPARE(Kabam(options).code("update_map_image", "{}"), 4);
-    options.faults.ros = {};
-    options.faults.ros.picture_ignored = true;
+    options.faults.requests = {{FaultKind::Ignore, kWrites, 1, 0, "/map_manager/update_map_image"}};
     Kabam robot(options);
     robot->subscribe("/map");
-    robot->first("/map");
-    QCOMPARE(robot.code("update_map_image", "{}"), 0);
+    const QJsonObject map = robot->first("/map");
+    const int width = at(map, "info.width").toInt(), height = at(map, "info.height").toInt();
+    const QByteArray cells(qsizetype(width) * height, char(254));
+    QCOMPARE(robot.code("update_map_image", id(robot.map(0), image(width, height, cells))), 0);
     QVERIFY(robot->settle());
     QCOMPARE(robot->count("/map"), 1);
   }

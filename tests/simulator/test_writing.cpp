@@ -13,9 +13,7 @@
 
 namespace test_writing {
 
-using mapwright::simulator::Faults;
-using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
+using namespace mapwright::simulator;
 
 namespace {
 
@@ -375,36 +373,30 @@ class TestWriting : public QObject {
   }
 
   void failedWritesChangeNothingAndLostAnswersDo_data() {
-    QTest::addColumn<double>("error");
-    QTest::addColumn<double>("drop");
-    QTest::addColumn<double>("lose");
+    QTest::addColumn<FaultKind>("kind");
     QTest::addColumn<bool>("changes");
-    QTest::newRow("error") << 1.0 << 0.0 << 0.0 << false;
-    QTest::newRow("dropped") << 0.0 << 1.0 << 0.0 << false;
-    QTest::newRow("answer lost") << 0.0 << 0.0 << 1.0 << true;
+    QTest::newRow("error") << FaultKind::Refuse << false;
+    QTest::newRow("dropped") << FaultKind::Drop << false;
+    QTest::newRow("answer lost") << FaultKind::Cut << true;
   }
   void failedWritesChangeNothingAndLostAnswersDo() {
-    QFETCH(double, error);
-    QFETCH(double, drop);
-    QFETCH(double, lose);
+    QFETCH(FaultKind, kind);
     QFETCH(bool, changes);
+    const bool error = kind == FaultKind::Refuse;
     Options options = paused();
-    options.faults.write_error_rate = error;
-    options.faults.drop_writes = drop;
-    options.faults.lose_write_answers = lose;
+    options.faults.requests.push_back({kind, kWrites});
     Simulator robot(options);
     QVERIFY(!robot.start());
     const auto reply = raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"New"})");
-    QCOMPARE(reply.status >= 500, error > 0);
-    QCOMPARE(reply.status == 0, error == 0);
+    QCOMPARE(reply.status >= 500, error);
+    QCOMPARE(reply.status == 0, !error);
     const QString name = mapOf(robot, 1)[QLatin1String("map_name")].toString();  // reading is not disturbed
     QCOMPARE(name, changes ? QStringLiteral("New") : QStringLiteral("Ground floor"));
   }
 
   void ignoredWritesAreAcceptedAndChangeNothingWhereTheyAreWanted() {
     Options options = paused();
-    options.faults.ignore_writes = 1;
-    options.faults.write_fault_path = "/maps/";
+    options.faults.requests.push_back({FaultKind::Ignore, kWrites, 1, 0, "/maps/"});
     Simulator robot(options);
     QVERIFY(!robot.start());
     QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"New"})").status, 200);
@@ -430,7 +422,7 @@ class TestWriting : public QObject {
     QCOMPARE(other.status, 200);
     QVERIFY(other.headers.at("etag") != tag && other.body != whole.body);
     Faults faults;
-    faults.cut_downloads = 1;
+    faults.requests.push_back({FaultKind::Truncate, kDownloads});
     robot.setFaults(faults);
     QVERIFY(!raw::get(robot.port(), path).whole);
   }
@@ -439,7 +431,7 @@ class TestWriting : public QObject {
     QList<QList<int>> seen;
     for (int run = 0; run < 2; ++run) {
       Options options = paused();
-      options.faults.write_error_rate = 0.5;
+      options.faults.requests.push_back({FaultKind::Refuse, kWrites, 0.5});
       Simulator robot(options);
       QVERIFY(!robot.start());
       QList<int> statuses;
@@ -453,7 +445,7 @@ class TestWriting : public QObject {
 
   void writesCanBeSlow() {
     Options options = paused();
-    options.faults.write_latency_ms = 60'000;
+    options.faults.requests.push_back({FaultKind::Delay, kWrites, 1, 60'000});
     Simulator robot(options);
     QVERIFY(!robot.start());
     QTcpSocket client;

@@ -403,7 +403,8 @@ class TestWindowKabamPicture : public QObject {
 
   void whatTheRobotDoesNotShowIsToldAndStaysUnsaved() {
     simulator::Faults faults;
-    faults.ros.picture_ignored = true;
+    faults.requests.push_back(
+        {simulator::FaultKind::Ignore, simulator::kWrites, 1, 0, "/map_manager/update_map_image"});
     Hall hall(faults);
     hall.confirm = std::chrono::milliseconds(100);
     hall.open();
@@ -416,7 +417,8 @@ class TestWindowKabamPicture : public QObject {
 
   void aLinkLostAfterwardsIsNoDoubtOnceItIsBack() {
     simulator::Faults faults;
-    faults.ros.cut_after = {"/map_manager/update_map_image"};
+    faults.requests.push_back(
+        {simulator::FaultKind::Cut, simulator::kServices, 1, 0, "/map_manager/update_map_image"});
     Hall hall(faults);
     hall.open();
     hall.paint(kSpot);
@@ -436,8 +438,8 @@ class TestWindowKabamPicture : public QObject {
 
   void aLinkLostBeforeItWasStoredIsToldOnceItIsBack() {
     simulator::Faults faults;
-    faults.ros.cut_after = {"/map_manager/update_map_image"};
-    faults.ros.picture_ignored = true;
+    faults.requests.push_back(
+        {simulator::FaultKind::Drop, simulator::kWrites, 1, 0, "/map_manager/update_map_image"});
     Hall hall(faults);
     hall.open();
     hall.paint(kSpot);

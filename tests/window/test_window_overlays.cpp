@@ -527,7 +527,7 @@ class TestWindowOverlays : public QObject {
     desk.open();
     desk.drag(desk.px(2, 0), desk.px(2, 1));
     simulator::Faults faults;
-    faults.write_error_rate = 1;
+    faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kWrites});
     desk.sim.setFaults(faults);
     desk.save();
     QVERIFY(desk.control().unsaved());
@@ -537,7 +537,7 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), std::string(kOverlays));
     // The answer is lost, but it was done: the robot is asked.
     faults = {};
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     desk.sim.setFaults(faults);
     desk.save();
     QVERIFY(!desk.control().unsaved());
@@ -562,8 +562,8 @@ class TestWindowOverlays : public QObject {
     desk.open();
     desk.drag(desk.px(2, 0), desk.px(2, 1));
     simulator::Faults faults;
-    faults.write_latency_ms = 60'000;
-    if (!applied) faults.drop_writes = 1;
+    faults.requests.push_back({simulator::FaultKind::Delay, simulator::kWrites, 1, 60'000});
+    if (!applied) faults.requests.push_back({simulator::FaultKind::Drop, simulator::kWrites});
     desk.sim.setFaults(faults);
     desk.sim.clearRequestLog();
     const auto written = [&] {

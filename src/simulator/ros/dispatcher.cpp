@@ -264,7 +264,8 @@ std::vector<ServiceRow> Dispatcher::services() const {
     rows.push_back({"/map_dispatcher/get_occupancy_map", "map_msgs/GetPointMap"});
     rows.push_back({"/map_dispatcher/get_sub_occupancy_map", "map_msgs/GetPointMapROI"});
     rows.push_back({"/map_dispatcher/set_map_projections",
-                    own.writable ? "map_msgs/ProjectedMapsInfo" : "map_msgs/SetMapProjections"});
+                    own.writable ? "map_msgs/ProjectedMapsInfo" : "map_msgs/SetMapProjections",
+                    own.writable});
   }
   return rows;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "simulator/noise.h"
 #include "simulator/ros/ros_messages.h"
@@ -58,18 +59,19 @@ enum class KabamStore::WaypointResult {
 };
 
 const KabamStore::Service KabamStore::kServices[] = {
-    {{"/map_manager/start_mapping", "std_srvs/Trigger"}, &KabamStore::startMapping},
-    {{"/map_manager/stop_mapping", "std_srvs/Trigger"}, &KabamStore::stopMapping},
-    {{"/map_manager/save_map", "kabam_msgs/SaveMap"}, &KabamStore::saveMap},
-    {{"/map_manager/load_map", "kabam_msgs/LoadMap"}, &KabamStore::loadMap},
-    {{"/map_manager/delete_map", "kabam_msgs/UpdateMap"}, &KabamStore::deleteMap},
-    {{"/map_manager/archive_map", "kabam_msgs/UpdateMap"}, &KabamStore::archiveMap},
-    {{"/map_manager/rename_map", "kabam_msgs/UpdateMap"}, &KabamStore::renameMap},
-    {{"/map_manager/update_map_image", "kabam_msgs/UpdateMap"}, &KabamStore::updateMapImage},
-    {{"/map_manager/create_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::createWaypoint},
-    {{"/map_manager/delete_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::deleteWaypoint},
-    {{"/map_manager/rename_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::renameWaypoint},
-    {{"/map_manager/reposition_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::repositionWaypoint},
+    {{"/map_manager/start_mapping", "std_srvs/Trigger", true}, &KabamStore::startMapping},
+    {{"/map_manager/stop_mapping", "std_srvs/Trigger", true}, &KabamStore::stopMapping},
+    {{"/map_manager/save_map", "kabam_msgs/SaveMap", true}, &KabamStore::saveMap},
+    {{"/map_manager/load_map", "kabam_msgs/LoadMap", true}, &KabamStore::loadMap},
+    {{"/map_manager/delete_map", "kabam_msgs/UpdateMap", true}, &KabamStore::deleteMap},
+    {{"/map_manager/archive_map", "kabam_msgs/UpdateMap", true}, &KabamStore::archiveMap},
+    {{"/map_manager/rename_map", "kabam_msgs/UpdateMap", true}, &KabamStore::renameMap},
+    {{"/map_manager/update_map_image", "kabam_msgs/UpdateMap", true}, &KabamStore::updateMapImage},
+    {{"/map_manager/create_waypoint", "kabam_msgs/ManageWaypoint", true}, &KabamStore::createWaypoint},
+    {{"/map_manager/delete_waypoint", "kabam_msgs/ManageWaypoint", true}, &KabamStore::deleteWaypoint},
+    {{"/map_manager/rename_waypoint", "kabam_msgs/ManageWaypoint", true}, &KabamStore::renameWaypoint},
+    {{"/map_manager/reposition_waypoint", "kabam_msgs/ManageWaypoint", true},
+     &KabamStore::repositionWaypoint},
     {{"/map_manager/get_waypoint", "kabam_msgs/GetWaypoint"}, &KabamStore::getWaypoint}};
 
 KabamStore::KabamStore(const RobotState& state, MapPictures& pictures, const FaultPlan& faults,
@@ -197,12 +199,16 @@ std::vector<ServiceRow> KabamStore::services() {
   return rows;
 }
 
-Value KabamStore::call(std::string_view service, const Value& request) {
+Value KabamStore::call(std::string_view service, const Value& request, bool keep) {
   const std::lock_guard lock(mutex_);
-  for (const Service& one : kServices) {
-    if (one.row.name == service) return (this->*one.answer)(request);
-  }
-  return {};
+  const auto* const one = std::find_if(std::begin(kServices), std::end(kServices),
+                                       [&](const Service& known) { return known.row.name == service; });
+  if (one == std::end(kServices)) return {};
+  if (keep) return (this->*one->answer)(request);
+  auto before = std::tuple(maps_, current_, state_, mapping_since_s_, mapping_until_s_, edits_);
+  Value answer = (this->*one->answer)(request);
+  std::tie(maps_, current_, state_, mapping_since_s_, mapping_until_s_, edits_) = std::move(before);
+  return answer;
 }
 
 Value KabamStore::startMapping(const Value&) {
@@ -304,9 +310,6 @@ Value KabamStore::renameMap(const Value& request) {
 }
 
 Value KabamStore::updateMapImage(const Value& request) {
-  const RosFaults faults = faults_.faults().ros;
-  if (faults.picture_code > 0) return resultOf(faults.picture_code);
-  if (faults.picture_ignored) return resultOf(UpdateResult::Updated);
   if (isMapping()) return resultOf(UpdateResult::Invalid);
   KabamMap* map = mapOf(request["map_id"].text());
   if (map == nullptr) return resultOf(UpdateResult::NoSuchMap);

@@ -53,6 +53,7 @@ struct KabamEdits {
 
 struct ServiceRow {
   std::string_view name, type;  // "kabam_msgs/LoadMap"
+  bool changes = false;
 };
 
 /// Safe from any thread. A pure function of scene, seed, clock and the requests so far.
@@ -68,8 +69,8 @@ class KabamStore {
   std::optional<RasterSource> raster() const;
 
   static std::vector<ServiceRow> services();
-  /// The response of a service to a complete request.
-  Value call(std::string_view service, const Value& request);
+  /// The response of a service to a complete request; nothing changes if it does not `keep` what it did.
+  Value call(std::string_view service, const Value& request, bool keep = true);
 
   /// Another client changes something different each time.
   void otherOperator();

@@ -304,7 +304,14 @@ std::vector<ServiceRow> RosRobot::services() const {
   return rows;
 }
 
-Answer RosRobot::call(std::string_view name, const Value& args) {
+unsigned RosRobot::kindsOf(std::string_view service) const {
+  for (const ServiceRow& row : services()) {
+    if (row.name == service && row.changes) return kServices | kWrites;
+  }
+  return kServices | kReads;
+}
+
+Answer RosRobot::call(std::string_view name, const Value& args, const Verdict& verdict) {
   // ROS resolves names that are not whole; roslib asks for "rosapi/topics".
   const std::string service = name.starts_with('/') ? std::string(name) : '/' + std::string(name);
   const std::vector<ServiceRow> all = services();
@@ -315,8 +322,10 @@ Answer RosRobot::call(std::string_view name, const Value& args) {
   const Answer request = args.as<Value::List>() != nullptr ? types_.fromList(type, *args.as<Value::List>())
                                                            : types_.complete(type, args);
   if (!request) return request;
-  if (service.starts_with("/map_dispatcher/")) return dispatcher_.call(service, *request);
-  if (service.starts_with("/map_manager/")) return kabam_.call(service, *request);
+  const bool keep = !verdict.is(FaultKind::Ignore);
+  if (service.starts_with("/map_dispatcher/"))
+    return keep ? dispatcher_.call(service, *request) : Answer(Value::Object{});
+  if (service.starts_with("/map_manager/")) return kabam_.call(service, *request, keep);
   for (const Service& one : kRosapi) {
     if (one.row.name == service) return one.answer(*this, *request);
   }

@@ -51,7 +51,9 @@ class RosRobot {
   Value messageOf(std::string_view topic);
 
   /// `args` as sent by the client: an object, a list in the order of the fields, or nothing.
-  Answer call(std::string_view name, const Value& args);
+  Answer call(std::string_view name, const Value& args, const Verdict& verdict);
+  /// What kinds of Requests the calls of a service are.
+  unsigned kindsOf(std::string_view service) const;
   const MessageTypes& types() const { return types_; }
   Dispatcher::Edits dispatcherEdits() const { return dispatcher_.edits(); }
 

@@ -39,10 +39,10 @@ Frame garbageFrame(std::size_t number) {
 
 }  // namespace
 
-RosServer::RosServer(const Options& options, const RobotState& robot, const FaultPlan& faults,
-                     RequestLog& log, KabamStore& kabam, MapPictures& pictures)
+RosServer::RosServer(const Options& options, const RobotState& robot, FaultPlan& faults, RequestLog& log,
+                     KabamStore& kabam, MapPictures& pictures)
     : options_(options),
-      fault_plan_(faults),
+      plan_(faults),
       log_(log),
       kabam_(kabam),
       robot_(options, robot, faults, kabam, pictures) {}
@@ -147,13 +147,8 @@ void RosServer::publishLate(steady_clock::time_point now) {
     late_.pop_front();
     if (!message) continue;
     last_[message->topic()] = message;
-    if (!isSilent(message->topic())) deliverAll(message);
+    if (!plan_.isSilent(message->topic())) deliverAll(message);
   }
-}
-
-bool RosServer::isSilent(std::string_view topic) const {
-  const RosFaults faults = this->faults();
-  return std::find(faults.silent.begin(), faults.silent.end(), topic) != faults.silent.end();
 }
 
 bool RosServer::mayDeliver(std::string_view topic, std::string_view type) const {
@@ -171,7 +166,7 @@ bool RosServer::mayDeliver(std::string_view topic, std::string_view type) const 
 
 void RosServer::deliverLatched(const std::shared_ptr<RosSession>& session, const std::string& topic) {
   const TopicRow* row = robot_.topic(topic);
-  if (row == nullptr || !row->latched || isSilent(topic)) return;
+  if (row == nullptr || !row->latched || plan_.isSilent(topic)) return;
   if (const auto found = last_.find(topic); found != last_.end())
     return session->deliver(found->second, true);
   make(topic, session, false);
@@ -182,7 +177,7 @@ void RosServer::publish(std::string_view topic) {
   const bool wanted = std::any_of(sessions.begin(), sessions.end(),
                                   [&](const auto& session) { return session->wants(topic); });
   if (const auto kept = last_.find(topic); kept != last_.end()) last_.erase(kept);
-  if (wanted && !isSilent(topic)) make(std::string(topic), {}, true);
+  if (wanted && !plan_.isSilent(topic)) make(std::string(topic), {}, true);
 }
 
 PublicationPtr RosServer::publicationOf(const std::string& topic) {
@@ -235,7 +230,7 @@ std::string RosServer::publishFrom(const std::string& topic, const Value& msg) {
   if (const std::size_t middle = type.find("/msg/"); middle != std::string::npos) type.erase(middle, 4);
   Answer whole = robot_.types().knows(type) ? robot_.types().complete(type, msg) : Answer(msg);
   if (!whole) return whole.error();
-  if (!isSilent(topic))
+  if (!plan_.isSilent(topic))
     deliverAll(std::make_shared<const Publication>(topic, std::move(*whole), options_.ros.writer));
   return {};
 }

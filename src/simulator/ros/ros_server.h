@@ -22,7 +22,7 @@ namespace mapwright::simulator::ros {
 /// blocks everyone, as on real servers.
 class RosServer {
  public:
-  RosServer(const Options& options, const RobotState& robot, const FaultPlan& faults, RequestLog& log,
+  RosServer(const Options& options, const RobotState& robot, FaultPlan& faults, RequestLog& log,
             KabamStore& kabam, MapPictures& pictures);
   ~RosServer();
   RosServer(const RosServer&) = delete;
@@ -44,7 +44,8 @@ class RosServer {
 
   // For the sessions, on the server's thread.
   const Options& options() const { return options_; }
-  RosFaults faults() const { return fault_plan_.faults().ros; }
+  RosFaults faults() const { return plan_.faults().ros; }
+  FaultPlan& plan() { return plan_; }
   RosRobot& robot() { return robot_; }
   Links<RosSession>& links() { return links_; }
   Loop& loop() { return loop_; }
@@ -66,12 +67,11 @@ class RosServer {
   void publishWaypoints();
   void make(const std::string& topic, std::weak_ptr<RosSession> only_for, bool for_all);
   void deliverAll(const PublicationPtr& message);
-  bool isSilent(std::string_view topic) const;
   PublicationPtr publicationOf(const std::string& topic);
   void runAndWait(const std::function<void()>& action);
 
   const Options& options_;
-  const FaultPlan& fault_plan_;
+  FaultPlan& plan_;
   RequestLog& log_;
   KabamStore& kabam_;
   RosRobot robot_;

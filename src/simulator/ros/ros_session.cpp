@@ -18,10 +18,6 @@ constexpr std::size_t kMostSubscriptions = 1000, kMostOfOne = 100, kLongestQueue
 constexpr std::int64_t kMostPieces = 1'000'000;
 constexpr std::size_t kMostJoinedBytes = std::size_t{512} << 20, kMostJoined = 16;
 
-bool holds(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// Absent, or a whole number that is not negative.
 bool isCount(const Value& message, std::string_view name) {
   if (message[name].isNull()) return true;
@@ -275,36 +271,40 @@ void RosSession::call(const Value& message) {
   const std::string& service = message["service"].text();
   const Value& id = message["id"];
   if (service.empty()) return complain("call_service needs a service", id);
-  const RosFaults faults = server_.faults();
+  const Verdict verdict = server_.plan().decide(server_.robot().kindsOf(service), "CALL", service);
   ++calls_;
-  if (holds(faults.refuse, service)) {
+  if (verdict.is(FaultKind::Refuse) && verdict.number == 0) {
     server_.note("CALL", service, 503);
     return answer(service, id, false,
-                  "service [" + service + "] responded with an error: b'refused on request'");
+                  "service [" + service + "] responded with an error: b'refused on request'",
+                  verdict.delay_ms);
   }
-  const Answer outcome = server_.robot().call(service, message["args"]);
-  if (holds(faults.lose_answer, service) || holds(faults.cut_after, service)) {
+  const Answer outcome = verdict.is(FaultKind::Refuse) ? Value::Object{{"result", verdict.number}}
+                         : verdict.is(FaultKind::Drop)
+                             ? Answer()
+                             : server_.robot().call(service, message["args"], verdict);
+  if (!verdict.isAnswered()) {
     server_.note("CALL", service, 0);
     server_.publishChanges();
-    if (holds(faults.cut_after, service)) cut();
+    if (!verdict.is(FaultKind::Silence)) cut();
     return;
   }
   server_.note("CALL", service, outcome ? 200 : 400);
   // The topics of a change come before its answer, or after it.
   if (calls_ % 2 == 0) server_.publishChanges();
-  answer(service, id, outcome.has_value(), outcome ? *outcome : Value(outcome.error()));
+  answer(service, id, outcome.has_value(), outcome ? *outcome : Value(outcome.error()), verdict.delay_ms);
   server_.publishChanges();
 }
 
-void RosSession::answer(const std::string& service, const Value& id, bool worked, Value values) {
+void RosSession::answer(const std::string& service, const Value& id, bool worked, Value values,
+                        int delay_ms) {
   Value message = Value::Object{{"op", "service_response"}};
   if (!id.isNull()) message.set("id", id);
   message.set("service", service);
   message.set("values", std::move(values));
   message.set("result", worked);
-  const RosFaults faults = server_.faults();
-  std::chrono::milliseconds delay(std::clamp(faults.slow_ms, 0, 600'000));
-  if (faults.shuffled_answers && calls_ % 2 == 1) delay += kOvertaken;
+  std::chrono::milliseconds delay(delay_ms);
+  if (server_.faults().shuffled_answers && calls_ % 2 == 1) delay += kOvertaken;
   std::string text = toJson(message, server_.options().ros.writer);
   if (delay.count() == 0) return sendText(std::move(text), id);
   server_.loop().postAt(std::chrono::steady_clock::now() + delay,

@@ -104,7 +104,7 @@ class RosSession : public WebSocketLink {
   void unsubscribe(const Value& message);
   void publish(const Value& message);
   void call(const Value& message);
-  void answer(const std::string& service, const Value& id, bool worked, Value values);
+  void answer(const std::string& service, const Value& id, bool worked, Value values, int delay_ms);
   void complain(std::string_view sentence, const Value& id);
   void encode(const Publication& message);
   void sendText(std::string text, const Value& id);

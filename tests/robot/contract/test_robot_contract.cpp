@@ -353,7 +353,7 @@ class RobotContractTest : public QObject {
 
   void anAnswerThatIsLostIsLookedFor() {
     simulator::Faults faults;
-    faults.lose_write_answers = 1;
+    faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     Bench bench(Adapter::Axbot, faults);
     std::optional<Outcome<map::CatalogueEntry>> renamed;
     bench.robot->mapAdministration()->carryOut({MapChange::Rename, bench.key, "Lobby"},
@@ -413,8 +413,9 @@ class RobotContractTest : public QObject {
     QFETCH(bool, made);
     const auto is = [&](const char* what) { return how == QLatin1String(what); };
     simulator::Faults faults;
-    if (is("the request is lost")) faults.drop_writes = 1;
-    if (is("it stumbles")) faults.write_error_rate = 1;
+    if (is("the request is lost"))
+      faults.requests.push_back({simulator::FaultKind::Drop, simulator::kWrites});
+    if (is("it stumbles")) faults.requests.push_back({simulator::FaultKind::Refuse, simulator::kWrites});
     Bench bench(Adapter::Axbot, faults);
     AnswerGate& gate = *bench.gate;
     if (is("nobody is there")) gate.close();
