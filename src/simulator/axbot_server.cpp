@@ -80,7 +80,7 @@ class TopicSession : public WebSocketLink {
     const AxbotTopic* const own = axbotTopic(topic);
     const bool comes_often = own != nullptr && own->period_s != kWhenItChanges;
     if (comes_often && queued() > kMostQueued) return;
-    if (isSlow(topic)) {
+    if (own != nullptr && own->is(kSlow)) {
       make(std::string(topic));
       return;
     }
@@ -111,7 +111,7 @@ class TopicSession : public WebSocketLink {
     send(textFrame(toJson(Value::Object{{"enabled_topics", Value::List(topics_.begin(), topics_.end())}})));
     for (const std::string& topic : request.enable) {
       const AxbotTopic* const own = axbotTopic(topic);
-      if (own != nullptr && own->latched) publish(topic);
+      if (own != nullptr && own->is(kLatched)) publish(topic);
     }
   }
 
@@ -203,12 +203,14 @@ void AxbotServer::tick() {
 void AxbotServer::publishChanges(steady_clock::time_point now) {
   const bool mapping = robot_.state.mapping().has_value();
   for (Periodic& topic : periodic_) {
-    if (topic.comes(now) && (mapping || !growsWhileMapping(topic.name))) publish(topic.name);
+    if (topic.comes(now) && (mapping || !axbotTopic(topic.name)->is(kGrows))) publish(topic.name);
   }
   const MapEdits edits = robot_.library.edits();
   if (edits.info != published_maps_.info) publish("/map/info");
   if (edits.pictures != published_maps_.pictures || mapping != published_mapping_) {
-    for (const std::string_view topic : mapTopics()) publish(topic);
+    for (const AxbotTopic& topic : axbotTopics()) {
+      if (topic.is(kOfMap)) publish(topic.name);
+    }
   }
   published_maps_ = edits;
   published_mapping_ = mapping;

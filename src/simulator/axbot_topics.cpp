@@ -8,6 +8,15 @@
 #include "simulator/value.h"
 
 namespace mapwright::simulator {
+
+/// What a message is made from. Some need the current map, some the way that the robot goes round.
+struct Live {
+  std::string_view topic;
+  const RobotState& state;
+  const StoredMap* map;
+  const Drive* round;
+};
+
 namespace {
 
 constexpr double kActionM = 40;  // one move action after the other, each so long
@@ -21,13 +30,6 @@ constexpr double kFull = 0.81, kSpent = 0.15;
 constexpr double kWheelsS =
     120;  // the operator's round: remote from 80 s, by hand from 100 s, stopped from 110 s
 constexpr double kLowBattery = 0.2;  // below it, the robot warns
-
-/// What a message is made from. Some need the current map, some the way that the robot goes round.
-struct Live {
-  const RobotState& state;
-  const StoredMap* map;
-  const Drive* round;
-};
 
 /// How the robot is: what its battery, its wheels and its alerts tell, so that they agree.
 struct Vitals {
@@ -66,54 +68,54 @@ std::vector<Eigen::Vector2d> wayOf(const RobotState& state, double from_m, doubl
   return points;
 }
 
-std::string path(std::string_view topic, const Live& live) {
+Value::Object path(const Live& live) {
   const double remaining = remainingOf(live.state.drivenMetres());
   std::vector<Eigen::Vector2d> points = wayOf(live.state, 0, remaining, kPathStepM);
   points.push_back(live.state.poseAhead(remaining).apply({0, 0}));
-  return messageJson(
-      topic, {{"stamp", fixed(1000 * stampOf(live.state.time()), 0)}, {"positions", pointsOf(points)}});
+  return Value::Object(
+      {{"stamp", fixed(1000 * stampOf(live.state.time()), 0)}, {"positions", pointsOf(points)}});
 }
 
-std::string localPath(std::string_view topic, const Live& live) {
+Value::Object localPath(const Live& live) {
   const double reach = std::min(kLocalPathM, remainingOf(live.state.drivenMetres()));
   Value::List poses;
   for (double s = 0; s <= reach; s += kPathStepM) {
     const geometry::Pose2 pose = live.state.poseAhead(s);
     poses.push_back(Value::List{fixed(pose.x_m, 3), fixed(pose.y_m, 3), fixed(pose.yaw_rad, 3)});
   }
-  return messageJson(topic, {{"width", 1.1}, {"color", "#FFEACD50"}, {"poses", std::move(poses)}});
+  return Value::Object{{"width", 1.1}, {"color", "#FFEACD50"}, {"poses", std::move(poses)}};
 }
 
 /// The trail is trimmed once in a while, as robots do it; it is oldest first.
-std::string trajectory(std::string_view topic, const Live& live) {
+Value::Object trajectory(const Live& live) {
   const double length = std::min(kTrailM, live.state.drivenMetres() + 4);
   std::vector<Eigen::Vector2d> points = wayOf(live.state, -length, 0, kOwnTrailStepM);
   points.push_back(live.state.robotPose().apply({0, 0}));
-  return messageJson(topic, {{"points", pointsOf(points)}});
+  return Value::Object{{"points", pointsOf(points)}};
 }
 
-std::string planningState(std::string_view topic, const Live& live) {
+Value::Object planningState(const Live& live) {
   const double driven = live.state.drivenMetres(), remaining = remainingOf(driven);
   const auto action = static_cast<long long>(std::floor(driven / kActionM));
   const bool arrived = remaining < kArrivedM;
   const Value target = placeOf(live.state.poseAhead(remaining));
   // Now and then somebody stands in the way.
   const bool stuck = phaseOf(driven, 3 * kActionM) > 2.9 * kActionM;
-  return messageJson(topic, {{"map_uid", live.map->uid},
-                             {"action_id", 3354 + action},
-                             {"action_type", action % 3 == 2 ? "along_given_route" : "standard"},
-                             {"move_state", arrived ? "succeeded" : "moving"},
-                             {"fail_reason", 0},
-                             {"fail_reason_str", "none"},
-                             {"remaining_distance", fixed(arrived ? 0 : remaining, 3)},
-                             {"target_poses", Value::List{target}},
-                             {"move_intent", ""},
-                             {"intent_target_pose", target},
-                             {"stuck_state", stuck ? "move_stucked" : ""}});
+  return Value::Object{{"map_uid", live.map->uid},
+                       {"action_id", 3354 + action},
+                       {"action_type", action % 3 == 2 ? "along_given_route" : "standard"},
+                       {"move_state", arrived ? "succeeded" : "moving"},
+                       {"fail_reason", 0},
+                       {"fail_reason_str", "none"},
+                       {"remaining_distance", fixed(arrived ? 0 : remaining, 3)},
+                       {"target_poses", Value::List{target}},
+                       {"move_intent", ""},
+                       {"intent_target_pose", target},
+                       {"stuck_state", stuck ? "move_stucked" : ""}};
 }
 
 /// Those that follow from how the robot is, and some that come and go within 40 s.
-std::string alerts(std::string_view topic, const Live& live) {
+Value::Object alerts(const Live& live) {
   const double t = phaseOf(live.state.time(), 40);
   const Vitals vitals = vitalsOf(live.state);
   Value::List list;
@@ -125,50 +127,49 @@ std::string alerts(std::string_view topic, const Live& live) {
   add(t >= 10 && t < 25, 6505, "warning", "CPU usage is higher than 80%.");
   add(t >= 15 && t < 35, 6004, "error", "Kernel temperature is higher than 80!");
   add(t >= 32 && t < 38, 11001, "none", "Relocated near <b>Rack 3</b> 🏭");
-  return messageJson(topic, {{"alerts", std::move(list)}});
+  return Value::Object{{"alerts", std::move(list)}};
 }
 
-std::string battery(std::string_view topic, const Live& live) {
+Value::Object battery(const Live& live) {
   const Vitals vitals = vitalsOf(live.state);
   Value::Object members{{"secs", fixed(std::floor(stampOf(live.state.time())), 0)},
                         {"voltage", fixed(22 + 5 * vitals.battery, 1)},
                         {"current", fixed(vitals.charging ? -6.2 : 3.6, 1)},
                         {"percentage", fixed(vitals.battery, 3)},
                         {"power_supply_status", vitals.charging ? "charging" : "discharging"}};
-  if (topic == "/detailed_battery_state") {
+  if (live.topic == "/detailed_battery_state") {
     members.emplace_back("capacity", "nan");
     members.emplace_back("design_capacity", 30);
     members.emplace_back("state_of_health", 0.97);
     members.emplace_back("cell_voltages", Value::Float64s{4.141, 4.138, 4.139, 4.133, 4.136, 4.138, 4.138});
   }
-  return messageJson(topic, std::move(members));
+  return members;
 }
 
-std::string wheels(std::string_view topic, const Live& live) {
+Value::Object wheels(const Live& live) {
   const Vitals vitals = vitalsOf(live.state);
-  return messageJson(topic, {{"control_mode", vitals.control_mode},
-                             {"emergency_stop_pressed", vitals.emergency_stop},
-                             {"wheels_released", false}});
+  return Value::Object{{"control_mode", vitals.control_mode},
+                       {"emergency_stop_pressed", vitals.emergency_stop},
+                       {"wheels_released", false}};
 }
 
-std::string trackedPose(std::string_view topic, const Live& live) {
+Value::Object trackedPose(const Live& live) {
   const geometry::Pose2 pose = live.state.robotPose();
-  return messageJson(
-      topic, {{"pos", Value::List{fixed(pose.x_m, 4), fixed(pose.y_m, 4)}}, {"ori", fixed(pose.yaw_rad, 4)}});
+  return Value::Object(
+      {{"pos", Value::List{fixed(pose.x_m, 4), fixed(pose.y_m, 4)}}, {"ori", fixed(pose.yaw_rad, 4)}});
 }
 
-std::string slamState(std::string_view topic, const Live& live) {
+Value::Object slamState(const Live& live) {
   const bool reliable = live.state.isPositioned();
-  return messageJson(topic, {{"state", nameOf(live.state.slamState())},
-                             {"reliable", reliable},
-                             {"position_quality", reliable ? 10 : 1},
-                             {"lidar_matching_score", reliable ? 0.87 : 0.19},
-                             {"lidar_matched", reliable}});
+  return Value::Object{{"state", nameOf(live.state.slamState())},
+                       {"reliable", reliable},
+                       {"position_quality", reliable ? 10 : 1},
+                       {"lidar_matching_score", reliable ? 0.87 : 0.19},
+                       {"lidar_matched", reliable}};
 }
 
-std::string robotModel(std::string_view topic, const Live&) {
-  return messageJson(
-      topic,
+Value::Object robotModel(const Live&) {
+  return Value::Object(
       {{"footprint", Value::Json{"[[0.3,-0.2],[0.35,-0.12],[0.35,0.12],[0.3,0.2],[-0.25,0.27],[-0.32,0.2],"
                                  "[-0.32,-0.2],[-0.25,-0.27]]"}},
        {"expanded_footprint",
@@ -177,20 +178,18 @@ std::string robotModel(std::string_view topic, const Live&) {
        {"width", 0.54}});
 }
 
-std::string sensors(std::string_view topic, const Live&) {
-  return messageJson(topic, {{"power_state", "awake"}});
-}
+Value::Object sensors(const Live&) { return Value::Object{{"power_state", "awake"}}; }
 
-std::string mapInfo(std::string_view topic, const Live& live) {
+Value::Object mapInfo(const Live& live) {
   const bool has_overlays = live.map->overlays && !live.map->overlays->empty();
-  return messageJson(topic, {{"name", live.map->name},
-                             {"uid", live.map->uid},
-                             {"map_version", live.map->map_version},
-                             {"overlays_version", live.map->overlays_version},
-                             {"overlays", Value::Json{has_overlays ? *live.map->overlays : noOverlays()}}});
+  return Value::Object{{"name", live.map->name},
+                       {"uid", live.map->uid},
+                       {"map_version", live.map->map_version},
+                       {"overlays_version", live.map->overlays_version},
+                       {"overlays", Value::Json{has_overlays ? *live.map->overlays : noOverlays()}}};
 }
 
-std::string nearbyRobots(std::string_view topic, const Live& live) {
+Value::Object nearbyRobots(const Live& live) {
   struct Other {
     const char *uid, *digest;
     double ahead_m;
@@ -210,23 +209,22 @@ std::string nearbyRobots(std::string_view topic, const Live& live) {
     if (*other.digest != '\0') robot.set("footprint_digest", other.digest);
     robots.push_back(std::move(robot));
   }
-  return messageJson(topic, {{"robots", std::move(robots)}});
+  return Value::Object{{"robots", std::move(robots)}};
 }
 
-std::string nearbyFootprints(std::string_view topic, const Live&) {
+Value::Object nearbyFootprints(const Live&) {
   std::vector<Eigen::Vector2d> round;
   for (int i = 0; i < 16; ++i) {
     const double angle = std::numbers::pi * i / 8;
     round.emplace_back(0.28 * std::cos(angle), 0.24 * std::sin(angle));
   }
   const Value corners = pointsOf(cornersOf({0, 0, 0}, 0.9, 0.6));
-  return messageJson(
-      topic,
+  return Value::Object(
       {{"footprints", Value::List{Value::Object{{"digest", "0150acd9"}, {"coordinates", pointsOf(round)}},
                                   Value::Object{{"digest", "7cb254d5"}, {"coordinates", corners}}}}});
 }
 
-std::string landmarks(std::string_view topic, const Live& live) {
+Value::Object landmarks(const Live& live) {
   Value::List list;
   for (int i = 0; i < 5; ++i) {
     const auto at = live.round->at(live.round->length_m() * i / 5).apply({0, i % 2 == 0 ? 1.0 : -1.0});
@@ -235,10 +233,10 @@ std::string landmarks(std::string_view topic, const Live& live) {
     if (i < 4) landmark.set("in_use", i % 2 == 0);
     list.push_back(std::move(landmark));
   }
-  return messageJson(topic, {{"landmarks", std::move(list)}});
+  return Value::Object{{"landmarks", std::move(list)}};
 }
 
-std::string autoDoors(std::string_view topic, const Live& live) {
+Value::Object autoDoors(const Live& live) {
   constexpr std::array<const char*, 3> kNames{"Main door", "Lager <West>", ""};
   Value::List doors;
   for (int i = 0; i < 3; ++i) {
@@ -250,10 +248,10 @@ std::string autoDoors(std::string_view topic, const Live& live) {
                                   {"state", i == 2 ? "unknown" : now},
                                   {"polygon", pointsOf(cornersOf(at, 0.3, 1.5))}});
   }
-  return messageJson(topic, {{"doors", std::move(doors)}});
+  return Value::Object{{"doors", std::move(doors)}};
 }
 
-std::string pallets(std::string_view topic, const Live& live) {
+Value::Object pallets(const Live& live) {
   Value::List list;
   const auto add = [&](const char* frame, const char* id, const geometry::Pose2& pose) {
     const Value::Json size{
@@ -267,25 +265,25 @@ std::string pallets(std::string_view topic, const Live& live) {
       live.round->at(live.round->length_m() * 0.1 + 2) * geometry::Pose2{0, 1.4, std::numbers::pi / 2});
   // One is seen for half of the time, and where it is in the robot's frame.
   if (phaseOf(live.state.time(), 12) < 6) add("base_link", "", {2.0, 0.4, 0.2});
-  return messageJson(topic, {{"pallets", std::move(list)}});
+  return Value::Object{{"pallets", std::move(list)}};
 }
 
-std::string rack(std::string_view topic, const Live& live) {
+Value::Object rack(const Live& live) {
   const double t = phaseOf(live.state.time(), 30);
-  if (t >= 20) return messageJson(topic, {{"rack_detected", false}});
+  if (t >= 20) return Value::Object{{"rack_detected", false}};
   const bool in_map = t < 10;
   const geometry::Pose2 place = in_map ? live.state.poseAhead(2.5) : geometry::Pose2{2.5, 0, 0.1};
   const Value aligned = placeOf(place * geometry::Pose2{0.02, -0.01, -0.03});
-  return messageJson(
-      topic, {{"rack_detected", true},
-              {"frame", in_map ? "map" : "base_link"},
-              {"rack_box", Value::Object{{"pose", placeOf(place)}, {"width", 0.64324}, {"height", 0.69234}}},
-              {"rack_box_aligned",
-               Value::Object{{"pose", aligned}, {"width", fixed(0.66, 2)}, {"height", fixed(0.7, 2)}}}});
+  return Value::Object(
+      {{"rack_detected", true},
+       {"frame", in_map ? "map" : "base_link"},
+       {"rack_box", Value::Object{{"pose", placeOf(place)}, {"width", 0.64324}, {"height", 0.69234}}},
+       {"rack_box_aligned",
+        Value::Object{{"pose", aligned}, {"width", fixed(0.66, 2)}, {"height", fixed(0.7, 2)}}}});
 }
 
 /// Segments as pairs of points, one list by kind.
-std::string constraints(std::string_view topic, const Live& live) {
+Value::Object constraints(const Live& live) {
   std::vector<Eigen::Vector2d> residuals, links;
   for (int i = 0; i < 12; ++i) {
     const geometry::Pose2 node = live.state.poseAhead(-2.0 * i);
@@ -294,11 +292,11 @@ std::string constraints(std::string_view topic, const Live& live) {
     links.emplace_back(node.apply({0, 0}));
     links.emplace_back(live.round->at(live.round->length_m() * i / 12).apply({0, 0}));
   }
-  return messageJson(topic, {{"Inter residuals, different trajectories", pointsOf(residuals)},
-                             {"Inter constraints, different trajectories", pointsOf(links)}});
+  return Value::Object{{"Inter residuals, different trajectories", pointsOf(residuals)},
+                       {"Inter constraints, different trajectories", pointsOf(links)}};
 }
 
-std::string seenObjects(std::string_view topic, const Live& live) {
+Value::Object seenObjects(const Live& live) {
   Value::List boxes;
   const double sway = std::sin(live.state.time() / 3);
   const auto add = [&](int label, double value, const geometry::Pose2& pose, const char* dimensions) {
@@ -310,110 +308,78 @@ std::string seenObjects(std::string_view topic, const Live& live) {
   add(1, 0.8, live.state.poseAhead(4) * geometry::Pose2{0, 0.6 * sway, 0}, "[0.5,0.4,1.7]");
   add(2, 0.53, live.state.poseAhead(6) * geometry::Pose2{0, -0.5, 0.3}, "[0.6,1.0,0.9]");
   add(1, 0.42, live.state.poseAhead(8) * geometry::Pose2{0, 0.3, 0}, "[0.0,0.0,0.0]");
-  return messageJson(topic, {{"boxes", std::move(boxes)}});
+  return Value::Object{{"boxes", std::move(boxes)}};
 }
 
-std::string globalPositioning(std::string_view topic, const Live& live) {
+Value::Object globalPositioning(const Live& live) {
   const std::optional<RobotState::Search> search = live.state.search();
   const double t = phaseOf(live.state.time(), 60);
   if (search ? search->running : t > 20 && t < 25) {
-    return messageJson(topic,
-                       {{"state", "running"}, {"score", 0}, {"needs_confirmation", false}, {"message", ""}});
+    return Value::Object(
+        {{"state", "running"}, {"score", 0}, {"needs_confirmation", false}, {"message", ""}});
   }
   if (search) {
-    return messageJson(topic, {{"state", "succeeded"},
-                               {"score", 0.78},
-                               {"needs_confirmation", search->asks},
-                               {"result_source", "lidar"},
-                               {"pose", placeOf(search->found)},
-                               {"message", "Succeeded with the lidar"}});
+    return Value::Object{{"state", "succeeded"},
+                         {"score", 0.78},
+                         {"needs_confirmation", search->asks},
+                         {"result_source", "lidar"},
+                         {"pose", placeOf(search->found)},
+                         {"message", "Succeeded with the lidar"}};
   }
-  return messageJson(topic, {{"state", "succeeded"},
-                             {"score", "82.1"},  // a text here, as these robots send it
-                             {"needs_confirmation", false},
-                             {"pose", placeOf(live.state.robotPose())},
-                             {"message", "Succeeded with barcode D2_125"}});
+  return Value::Object{{"state", "succeeded"},
+                       {"score", "82.1"},  // a text here, as these robots send it
+                       {"needs_confirmation", false},
+                       {"pose", placeOf(live.state.robotPose())},
+                       {"message", "Succeeded with barcode D2_125"}};
 }
 
-std::string barcode(std::string_view topic, const Live& live) {
-  if (phaseOf(live.state.time(), 16) < 8) return messageJson(topic, {{"state", "no_result"}});
+Value::Object barcode(const Live& live) {
+  if (phaseOf(live.state.time(), 16) < 8) return Value::Object{{"state", "no_result"}};
   const geometry::Pose2 relative{1.2, 0.1, std::numbers::pi};
-  return messageJson(topic, {{"state", "ok"},
-                             {"barcode", Value::Object{{"id", "D2_125"},
-                                                       {"pose", placeOf(live.state.robotPose() * relative)},
-                                                       {"relative_pose", placeOf(relative)}}}});
+  return Value::Object{{"state", "ok"},
+                       {"barcode", Value::Object{{"id", "D2_125"},
+                                                 {"pose", placeOf(live.state.robotPose() * relative)},
+                                                 {"relative_pose", placeOf(relative)}}}};
 }
 
-enum class Needs { Nothing, Map, Round };
-struct LiveTopic {
-  std::string_view name;
-  std::string (*make)(std::string_view topic, const Live& live);
-  Needs needs = Needs::Nothing;
-};
-constexpr LiveTopic kLiveTopics[] = {{"/tracked_pose", trackedPose},
-                                     {"/robot_model", robotModel},
-                                     {"/slam/state", slamState},
-                                     {"/battery_state", battery},
-                                     {"/detailed_battery_state", battery},
-                                     {"/wheel_state", wheels},
-                                     {"/sensor_manager_state", sensors},
-                                     {"/alerts", alerts},
-                                     {"/map/info", mapInfo, Needs::Map},
-                                     {"/path", path, Needs::Map},
-                                     {"/local_path", localPath, Needs::Map},
-                                     {"/trajectory", trajectory, Needs::Map},
-                                     {"/trajectory_node_list", trajectory, Needs::Map},
-                                     {"/planning_state", planningState, Needs::Map},
-                                     {"/nearby_robots", nearbyRobots, Needs::Round},
-                                     {"/nearby_robot_footprints", nearbyFootprints, Needs::Round},
-                                     {"/landmarks", landmarks, Needs::Round},
-                                     {"/nearby_auto_doors", autoDoors, Needs::Round},
-                                     {"/detected_pallets", pallets, Needs::Round},
-                                     {"/detected_rack", rack, Needs::Round},
-                                     {"/constraint_list", constraints, Needs::Round},
-                                     {"/vision_detected_objects", seenObjects, Needs::Round},
-                                     {"/global_positioning_state", globalPositioning, Needs::Round},
-                                     {"/collected_barcode", barcode, Needs::Round}};
-
-constexpr bool kLatched = true;
-constexpr AxbotTopic kTopics[] = {{"/tracked_pose", kAsPoses},
-                                  {"/slam/state", 1, kLatched},
-                                  {"/map", 5, kLatched},
-                                  {"/map_v2", 5, kLatched},
-                                  {"/path", 0.5, kLatched},
-                                  {"/local_path", 0.2},
-                                  {"/trajectory", 1},
-                                  {"/trajectory_node_list", 1},
-                                  {"/planning_state", 0.5, kLatched},
-                                  {"/alerts", 1, kLatched},
-                                  {"/battery_state", 1, kLatched},
-                                  {"/detailed_battery_state", 1},
-                                  {"/wheel_state", 1, kLatched},
-                                  {"/sensor_manager_state", 5, kLatched},
-                                  {"/nearby_robots", 0.5},
-                                  {"/nearby_robot_footprints", 5, kLatched},
-                                  {"/landmarks", 5, kLatched},
-                                  {"/nearby_auto_doors", 1, kLatched},
-                                  {"/detected_pallets", 1},
-                                  {"/detected_rack", 0.5},
-                                  {"/constraint_list", 2},
-                                  {"/vision_detected_objects", 0.5},
-                                  {"/global_positioning_state", 1, kLatched},
-                                  {"/collected_barcode", 1},
-                                  {"/maps/5cm/1hz", 1},
-                                  {"/maps/1cm/1hz", 1},
-                                  {"/incremental_map", 5, kLatched},
-                                  {"/incremental_map_v2", 5, kLatched},
-                                  {"/env_match_map", 10, kLatched},
-                                  {"/env_symmetry_map", 10, kLatched},
-                                  {"/semantic_points", kAsScans},
-                                  {"/scan_matched_points2", kAsScans},
-                                  {"/left_laser_2d/matched", kAsScans},
+constexpr AxbotTopic kTopics[] = {{"/tracked_pose", kAsPoses, 0, trackedPose},
+                                  {"/slam/state", 1, kLatched, slamState},
+                                  {"/map", 5, kLatched | kSlow | kOfMap | kGrows},
+                                  {"/map_v2", 5, kLatched | kSlow | kOfMap | kGrows},
+                                  {"/path", 0.5, kLatched | kNeedsMap, path},
+                                  {"/local_path", 0.2, kNeedsMap, localPath},
+                                  {"/trajectory", 1, kNeedsMap, trajectory},
+                                  {"/trajectory_node_list", 1, kNeedsMap, trajectory},
+                                  {"/planning_state", 0.5, kLatched | kNeedsMap, planningState},
+                                  {"/alerts", 1, kLatched, alerts},
+                                  {"/battery_state", 1, kLatched, battery},
+                                  {"/detailed_battery_state", 1, 0, battery},
+                                  {"/wheel_state", 1, kLatched, wheels},
+                                  {"/sensor_manager_state", 5, kLatched, sensors},
+                                  {"/nearby_robots", 0.5, kNeedsRound, nearbyRobots},
+                                  {"/nearby_robot_footprints", 5, kLatched | kNeedsRound, nearbyFootprints},
+                                  {"/landmarks", 5, kLatched | kNeedsRound, landmarks},
+                                  {"/nearby_auto_doors", 1, kLatched | kNeedsRound, autoDoors},
+                                  {"/detected_pallets", 1, kNeedsRound, pallets},
+                                  {"/detected_rack", 0.5, kNeedsRound, rack},
+                                  {"/constraint_list", 2, kNeedsRound, constraints},
+                                  {"/vision_detected_objects", 0.5, kNeedsRound, seenObjects},
+                                  {"/global_positioning_state", 1, kLatched | kNeedsRound, globalPositioning},
+                                  {"/collected_barcode", 1, kNeedsRound, barcode},
+                                  {"/maps/5cm/1hz", 1, kSlow},
+                                  {"/maps/1cm/1hz", 1, kSlow},
+                                  {"/incremental_map", 5, kLatched | kSlow},
+                                  {"/incremental_map_v2", 5, kLatched | kSlow},
+                                  {"/env_match_map", 10, kLatched | kSlow | kOfMap},
+                                  {"/env_symmetry_map", 10, kLatched | kSlow | kOfMap},
+                                  {"/semantic_points", kAsScans, kSlow},
+                                  {"/scan_matched_points2", kAsScans, kSlow},
+                                  {"/left_laser_2d/matched", kAsScans, kSlow},
                                   {kSubmapListTopic, kWhenItChanges, kLatched},
-                                  {"/robot_model", kWhenItChanges, kLatched},
-                                  {"/map/costmap", kWhenItChanges, kLatched},
-                                  {"/map/costmap_v2", kWhenItChanges, kLatched},
-                                  {"/map/info", kWhenItChanges, kLatched}};
+                                  {"/robot_model", kWhenItChanges, kLatched, robotModel},
+                                  {"/map/costmap", kWhenItChanges, kLatched | kSlow | kOfMap},
+                                  {"/map/costmap_v2", kWhenItChanges, kLatched | kSlow | kOfMap},
+                                  {"/map/info", kWhenItChanges, kLatched | kSlow | kNeedsMap, mapInfo}};
 
 }  // namespace
 
@@ -424,19 +390,6 @@ const AxbotTopic* axbotTopic(std::string_view name) {
                                          [&](const AxbotTopic& topic) { return topic.name == name; });
   return found == std::end(kTopics) ? nullptr : found;
 }
-
-bool isSlow(std::string_view topic) {
-  return topic.starts_with("/map") || topic.starts_with("/incremental_map") || topic.starts_with("/env_") ||
-         topic == "/scan_matched_points2" || topic == "/left_laser_2d/matched" || topic == "/semantic_points";
-}
-
-const std::vector<std::string_view>& mapTopics() {
-  static const std::vector<std::string_view> topics{
-      "/map", "/map_v2", "/map/costmap", "/map/costmap_v2", "/env_match_map", "/env_symmetry_map"};
-  return topics;
-}
-
-bool growsWhileMapping(std::string_view topic) { return topic == "/map" || topic == "/map_v2"; }
 
 std::vector<std::string_view> publishedTopics() {
   std::vector<std::string_view> names;
@@ -464,17 +417,14 @@ std::string_view nameOf(map::SlamState state) {
 
 std::optional<std::string> liveMessage(std::string_view topic, const RobotState& state,
                                        const std::optional<StoredMap>& map) {
+  const AxbotTopic* const row = axbotTopic(topic);
+  if (row == nullptr || row->make == nullptr) return std::nullopt;
   const std::vector<Trajectory>& all = state.scene().trajectories;
   const auto round = std::find_if(
       all.begin(), all.end(), [](const Trajectory& trajectory) { return trajectory.growth == Growth::Live; });
-  const Live live{state, map ? &*map : nullptr, round == all.end() ? nullptr : &round->drive};
-  for (const LiveTopic& one : kLiveTopics) {
-    const bool may = one.needs == Needs::Map     ? live.map != nullptr
-                     : one.needs == Needs::Round ? live.round != nullptr
-                                                 : true;
-    if (one.name == topic && may) return one.make(topic, live);
-  }
-  return std::nullopt;
+  if ((row->is(kNeedsMap) && !map) || (row->is(kNeedsRound) && round == all.end())) return std::nullopt;
+  return messageJson(
+      topic, row->make({topic, state, map ? &*map : nullptr, round == all.end() ? nullptr : &round->drive}));
 }
 
 }  // namespace mapwright::simulator

@@ -20,21 +20,30 @@ constexpr std::string_view kSubmapListTopic = "/submap_list";
 // Periods that are no number of seconds.
 constexpr double kAsScans = 0, kAsPoses = -1, kWhenItChanges = -2;
 
+/// What is so about a topic.
+enum TopicTraits : unsigned {
+  kLatched = 1,     // its last message is sent at once to whoever enables it
+  kSlow = 2,        // it takes milliseconds to make: pictures and scans
+  kOfMap = 4,       // sent when the robot works with another map or picture
+  kGrows = 8,       // comes again and again only while the robot maps
+  kNeedsMap = 16,   // there is none without a current map,
+  kNeedsRound = 32  // or without the way that the robot goes round
+};
+
+struct Live;
+
 struct AxbotTopic {
   std::string_view name;
   double period_s;
-  bool latched = false;  // its last message is sent at once to whoever enables it
+  unsigned traits = 0;
+  Value::Object (*make)(const Live& live) = nullptr;  // null for pictures, points and submaps
+
+  bool is(TopicTraits trait) const { return (traits & trait) != 0; }
 };
 
 std::span<const AxbotTopic> axbotTopics();
 /// Null for a topic that this robot does not have.
 const AxbotTopic* axbotTopic(std::string_view name);
-/// Topics that take milliseconds to make: pictures and scans.
-bool isSlow(std::string_view topic);
-/// Topics to send when the robot works with another map or picture; /map/info is not among them.
-const std::vector<std::string_view>& mapTopics();
-/// Those of them that come again and again while the robot maps.
-bool growsWhileMapping(std::string_view topic);
 /// The names of all, sorted.
 std::vector<std::string_view> publishedTopics();
 

@@ -121,6 +121,13 @@ std::string pointsJson(const std::vector<LidarPoint>& points, double time_s) {
   return out + "]}";
 }
 
+/// A cloud whose points are `bytes`, laid out as `fields`.
+std::string cloudJson(std::string_view topic, const char* fields, std::string bytes, double time_s) {
+  return messageJson(topic, {{"stamp", std::llround(1000 * stampOf(time_s))},
+                             {"fields", Value::Json{fields}},
+                             {"data", Value::Bytes{std::move(bytes)}}});
+}
+
 std::string packedJson(const std::vector<LidarPoint>& points, double time_s) {
   std::string bytes;
   bytes.reserve(points.size() * 16);
@@ -130,10 +137,11 @@ std::string packedJson(const std::vector<LidarPoint>& points, double time_s) {
     appendNumber(bytes, point.z_m);
     appendNumber(bytes, static_cast<float>(point.intensity / 255.0));
   }
-  return header(kPacked, time_s) +
-         R"(,"fields":[{"name":"x","data_type":"f32"},{"name":"y","data_type":"f32"},{"name":"z","data_type":"f32"},)"
-         R"({"name":"intensity","data_type":"f32"}],"data":")" +
-         base64(bytes) + "\"}";
+  return cloudJson(
+      kPacked,
+      R"([{"name":"x","data_type":"f32"},{"name":"y","data_type":"f32"},{"name":"z","data_type":"f32"},)"
+      R"({"name":"intensity","data_type":"f32"}])",
+      std::move(bytes), time_s);
 }
 
 /// Every fourth point belongs to somebody who walks by: less likely, with a heading and a speed.
@@ -149,11 +157,11 @@ std::string semanticJson(const std::vector<LidarPoint>& points, double time_s) {
     bytes += static_cast<char>(moves ? 64 : 0);
     bytes += static_cast<char>(moves ? 80 : 0);
   }
-  return header(kSemantic, time_s) +
-         R"(,"fields":[{"name":"x","data_type":"f32"},{"name":"y","data_type":"f32"},{"name":"z","data_type":"f32"},)"
-         R"({"name":"probability","data_type":"u8"},{"name":"ori","data_type":"u8"},{"name":"speed","data_type":"u8"}],)"
-         R"("data":")" +
-         base64(bytes) + "\"}";
+  return cloudJson(
+      kSemantic,
+      R"([{"name":"x","data_type":"f32"},{"name":"y","data_type":"f32"},{"name":"z","data_type":"f32"},)"
+      R"({"name":"probability","data_type":"u8"},{"name":"ori","data_type":"u8"},{"name":"speed","data_type":"u8"}])",
+      std::move(bytes), time_s);
 }
 
 std::string pointsBinary(const std::vector<LidarPoint>& points, const geometry::Pose2& robot,
