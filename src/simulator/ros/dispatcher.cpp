@@ -85,6 +85,15 @@ bool finite(const Value& request, std::initializer_list<const char*> names) {
                      [&](const char* name) { return std::abs(request[name].number()) <= 1e9; });
 }
 
+Answer saved(const Value& request) {
+  const std::string& filename = request["filename"]["data"].text();
+  const std::size_t dot = filename.rfind('.');
+  const std::set<std::string> known{"png", "pgm", "yaml", "pcd", "ply", "vtk", "bt"};
+  if (dot == std::string::npos || !known.contains(filename.substr(dot + 1)))
+    return refused("save_map", "I do not know how to save " + filename);
+  return Value::Object{};
+}
+
 /// A cloud in one of the layouts used by senders (sensor_msgs/PointCloud2).
 Value cloudMessage(Value header, const std::vector<Building::Point>& points, bool colored,
                    const CloudOddities& odd) {
@@ -250,23 +259,33 @@ const std::vector<std::string_view>& Dispatcher::projectedTopics() {
   return all;
 }
 
-std::vector<ServiceRow> Dispatcher::services() const {
+std::vector<Service> Dispatcher::services() {
   const DispatcherOptions& own = options_.ros.dispatcher;
-  if (!own.there) return {};
-  std::vector<ServiceRow> rows{{"/map_dispatcher/save_map", "map_msgs/SaveMap"}};
-  if (own.planar) {
-    rows.push_back({"/map_dispatcher/get_map", "nav_msgs/GetMap"});
-    rows.push_back({"/map_dispatcher/get_sub_map", "map_msgs/GetMapROI"});
-  }
-  if (own.spatial) {
-    rows.push_back({"/map_dispatcher/get_point_map", "map_msgs/GetPointMap"});
-    rows.push_back({"/map_dispatcher/get_sub_point_map", "map_msgs/GetPointMapROI"});
-    rows.push_back({"/map_dispatcher/get_occupancy_map", "map_msgs/GetPointMap"});
-    rows.push_back({"/map_dispatcher/get_sub_occupancy_map", "map_msgs/GetPointMapROI"});
-    rows.push_back({"/map_dispatcher/set_map_projections",
-                    own.writable ? "map_msgs/ProjectedMapsInfo" : "map_msgs/SetMapProjections",
-                    own.writable});
-  }
+  std::vector<Service> rows;
+  const auto add = [&](bool there, const char* verb, std::string_view type, auto answer,
+                       bool changes = false) {
+    const auto kept = [answer](const Value& request, bool keep) {
+      return keep ? answer(request) : Answer(Value::Object{});
+    };
+    if (own.there && there) rows.push_back({std::string(kPlace) + verb, type, kept, changes});
+  };
+  const auto gridded = [this](bool whole) {
+    return [this, whole](const Value& request) { return grid(request, whole); };
+  };
+  const auto clouded = [this](bool whole, bool occupancy) {
+    return [this, whole, occupancy](const Value& request) { return cloud(request, whole, occupancy); };
+  };
+  add(true, "save_map", "map_msgs/SaveMap", saved);
+  add(own.planar, "get_map", "nav_msgs/GetMap", gridded(true));
+  add(own.planar, "get_sub_map", "map_msgs/GetMapROI", gridded(false));
+  add(own.spatial, "get_point_map", "map_msgs/GetPointMap", clouded(true, false));
+  add(own.spatial, "get_sub_point_map", "map_msgs/GetPointMapROI", clouded(false, false));
+  add(own.spatial, "get_occupancy_map", "map_msgs/GetPointMap", clouded(true, true));
+  add(own.spatial, "get_sub_occupancy_map", "map_msgs/GetPointMapROI", clouded(false, true));
+  add(
+      own.spatial, "set_map_projections",
+      own.writable ? "map_msgs/ProjectedMapsInfo" : "map_msgs/SetMapProjections",
+      [this](const Value& request) { return projections(request); }, own.writable);
   return rows;
 }
 
@@ -289,40 +308,20 @@ Value Dispatcher::gridMessage(double resolution_m, int width, int height, const 
                        {"data", std::move(cells)}};
 }
 
-Answer Dispatcher::call(std::string_view service, const Value& request) {
-  const std::string_view verb = service.substr(kPlace.size());
-  if (verb == "get_map") {
-    const double half = std::floor(building_->edge_m() / 2), middle = building_->edge_m() / 2 - half;
-    return grid({{middle, middle}, {building_->edge_m(), building_->edge_m()}}, true);
-  }
-  if (verb == "get_sub_map") {
-    if (!finite(request, {"x", "y", "l_x", "l_y"})) return refused(verb, "not a region");
-    return grid(
-        {{request["x"].number(), request["y"].number()}, {request["l_x"].number(), request["l_y"].number()}},
-        false);
-  }
-  if (verb == "save_map") {
-    const std::string& filename = request["filename"]["data"].text();
-    const std::size_t dot = filename.rfind('.');
-    const std::set<std::string> known{"png", "pgm", "yaml", "pcd", "ply", "vtk", "bt"};
-    if (dot == std::string::npos || !known.contains(filename.substr(dot + 1)))
-      return refused(verb, "I do not know how to save " + filename);
-    return Value::Object{};
-  }
-  if (verb == "set_map_projections") return projections(request);
-  return cloud(request, !verb.starts_with("get_sub_"), verb.ends_with("occupancy_map"));
-}
-
-Answer Dispatcher::grid(const Region& asked, bool whole) {
+Answer Dispatcher::grid(const Value& request, bool whole) {
   const DispatcherFaults odd = faults_.faults().ros.dispatcher;
   const char* const verb = whole ? "get_map" : "get_sub_map";
+  const double edge = building_->edge_m(), half = std::floor(edge / 2), middle = edge / 2 - half;
+  if (!whole && !finite(request, {"x", "y", "l_x", "l_y"})) return refused(verb, "not a region");
+  const Region asked = whole ? Region{{middle, middle}, {edge, edge}}
+                             : Region{{request["x"].number(), request["y"].number()},
+                                      {request["l_x"].number(), request["l_y"].number()}};
   int call = 0;
   {
     const std::lock_guard lock(mutex_);
     call = calls_++;
     if (odd.regrids && call % 4 == 3) ++edits_.map;
   }
-  const double edge = building_->edge_m(), half = std::floor(edge / 2);
   const double cell = odd.resolution_changes && call % 2 == 1 ? kCoarseCellM : kCellM;
   const double shift = odd.regrids ? 0.013 * edits().map : 0;
   Region region = asked;

@@ -23,8 +23,7 @@ class Dispatcher {
   ~Dispatcher();
 
   /// Its services; none if it is disabled.
-  std::vector<ServiceRow> services() const;
-  Answer call(std::string_view service, const Value& request);
+  std::vector<Service> services();
   /// Null for topics that it does not have at present.
   Value messageOf(std::string_view topic) const;
   /// False for a topic of a projection that is not set.
@@ -46,7 +45,7 @@ class Dispatcher {
   struct Region {
     Eigen::Vector2d centre_m, size_m;
   };
-  Answer grid(const Region& region, bool whole);
+  Answer grid(const Value& request, bool whole);
   Answer cloud(const Value& request, bool whole, bool occupancy) const;
   Answer projections(const Value& request);
   Value gridMessage(double resolution_m, int width, int height, const geometry::Pose2& origin,

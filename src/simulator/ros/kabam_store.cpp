@@ -58,22 +58,6 @@ enum class KabamStore::WaypointResult {
   Failed = 6
 };
 
-const KabamStore::Service KabamStore::kServices[] = {
-    {{"/map_manager/start_mapping", "std_srvs/Trigger", true}, &KabamStore::startMapping},
-    {{"/map_manager/stop_mapping", "std_srvs/Trigger", true}, &KabamStore::stopMapping},
-    {{"/map_manager/save_map", "kabam_msgs/SaveMap", true}, &KabamStore::saveMap},
-    {{"/map_manager/load_map", "kabam_msgs/LoadMap", true}, &KabamStore::loadMap},
-    {{"/map_manager/delete_map", "kabam_msgs/UpdateMap", true}, &KabamStore::deleteMap},
-    {{"/map_manager/archive_map", "kabam_msgs/UpdateMap", true}, &KabamStore::archiveMap},
-    {{"/map_manager/rename_map", "kabam_msgs/UpdateMap", true}, &KabamStore::renameMap},
-    {{"/map_manager/update_map_image", "kabam_msgs/UpdateMap", true}, &KabamStore::updateMapImage},
-    {{"/map_manager/create_waypoint", "kabam_msgs/ManageWaypoint", true}, &KabamStore::createWaypoint},
-    {{"/map_manager/delete_waypoint", "kabam_msgs/ManageWaypoint", true}, &KabamStore::deleteWaypoint},
-    {{"/map_manager/rename_waypoint", "kabam_msgs/ManageWaypoint", true}, &KabamStore::renameWaypoint},
-    {{"/map_manager/reposition_waypoint", "kabam_msgs/ManageWaypoint", true},
-     &KabamStore::repositionWaypoint},
-    {{"/map_manager/get_waypoint", "kabam_msgs/GetWaypoint"}, &KabamStore::getWaypoint}};
-
 KabamStore::KabamStore(const RobotState& state, MapPictures& pictures, const FaultPlan& faults,
                        const Options& options)
     : robot_(state), pictures_(pictures), faults_(faults), options_(options.ros), seed_(options.seed) {
@@ -193,20 +177,32 @@ void KabamStore::touch(KabamMap& map) {
   if (map.id == current_) ++edits_.info;
 }
 
-std::vector<ServiceRow> KabamStore::services() {
-  std::vector<ServiceRow> rows;
-  for (const Service& service : kServices) rows.push_back(service.row);
-  return rows;
+std::vector<Service> KabamStore::services() {
+  const auto row = [this](const char* name, std::string_view type, Call call, bool changes = true) {
+    return Service{std::string("/map_manager/") + name, type,
+                   [this, call](const Value& request, bool keep) { return answer(call, request, keep); },
+                   changes};
+  };
+  return {row("start_mapping", "std_srvs/Trigger", &KabamStore::startMapping),
+          row("stop_mapping", "std_srvs/Trigger", &KabamStore::stopMapping),
+          row("save_map", "kabam_msgs/SaveMap", &KabamStore::saveMap),
+          row("load_map", "kabam_msgs/LoadMap", &KabamStore::loadMap),
+          row("delete_map", "kabam_msgs/UpdateMap", &KabamStore::deleteMap),
+          row("archive_map", "kabam_msgs/UpdateMap", &KabamStore::archiveMap),
+          row("rename_map", "kabam_msgs/UpdateMap", &KabamStore::renameMap),
+          row("update_map_image", "kabam_msgs/UpdateMap", &KabamStore::updateMapImage),
+          row("create_waypoint", "kabam_msgs/ManageWaypoint", &KabamStore::createWaypoint),
+          row("delete_waypoint", "kabam_msgs/ManageWaypoint", &KabamStore::deleteWaypoint),
+          row("rename_waypoint", "kabam_msgs/ManageWaypoint", &KabamStore::renameWaypoint),
+          row("reposition_waypoint", "kabam_msgs/ManageWaypoint", &KabamStore::repositionWaypoint),
+          row("get_waypoint", "kabam_msgs/GetWaypoint", &KabamStore::getWaypoint, false)};
 }
 
-Value KabamStore::call(std::string_view service, const Value& request, bool keep) {
+Value KabamStore::answer(Call call, const Value& request, bool keep) {
   const std::lock_guard lock(mutex_);
-  const auto* const one = std::find_if(std::begin(kServices), std::end(kServices),
-                                       [&](const Service& known) { return known.row.name == service; });
-  if (one == std::end(kServices)) return {};
-  if (keep) return (this->*one->answer)(request);
+  if (keep) return (this->*call)(request);
   auto before = std::tuple(maps_, current_, state_, mapping_since_s_, mapping_until_s_, edits_);
-  Value answer = (this->*one->answer)(request);
+  Value answer = (this->*call)(request);
   std::tie(maps_, current_, state_, mapping_since_s_, mapping_until_s_, edits_) = std::move(before);
   return answer;
 }

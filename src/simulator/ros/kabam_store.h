@@ -14,6 +14,7 @@
 #include "simulator/fault_plan.h"
 #include "simulator/pictures.h"
 #include "simulator/robot_state.h"
+#include "simulator/ros/message_types.h"
 #include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
@@ -51,11 +52,6 @@ struct KabamEdits {
   bool operator==(const KabamEdits&) const = default;
 };
 
-struct ServiceRow {
-  std::string_view name, type;  // "kabam_msgs/LoadMap"
-  bool changes = false;
-};
-
 /// Safe from any thread. A pure function of scene, seed, clock and the requests so far.
 class KabamStore {
  public:
@@ -68,9 +64,7 @@ class KabamStore {
   /// nullopt if the robot has no map at all.
   std::optional<RasterSource> raster() const;
 
-  static std::vector<ServiceRow> services();
-  /// The response of a service to a complete request; nothing changes if it does not `keep` what it did.
-  Value call(std::string_view service, const Value& request, bool keep = true);
+  std::vector<Service> services();
 
   /// Another client changes something different each time.
   void otherOperator();
@@ -80,12 +74,9 @@ class KabamStore {
  private:
   enum class WaypointResult;
   using WaypointChange = std::function<WaypointResult(const KabamMap& map, KabamWaypoint& waypoint)>;
-  struct Service {
-    ServiceRow row;
-    Value (KabamStore::*answer)(const Value& request);
-  };
-  static const Service kServices[];
+  using Call = Value (KabamStore::*)(const Value& request);
 
+  Value answer(Call call, const Value& request, bool keep);
   Value startMapping(const Value& request);
   Value stopMapping(const Value& request);
   Value saveMap(const Value& request);

@@ -2,6 +2,7 @@
 // "Calls"), and how rosapi tells of them.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -50,6 +51,14 @@ class MessageTypes {
 
   const RosDialect dialect_;
   std::map<std::string, Type, std::less<>> types_;
+};
+
+struct Service {
+  std::string name;       // "/map_manager/load_map"
+  std::string_view type;  // "kabam_msgs/LoadMap"
+  /// What it answers to a complete request; it changes nothing if it does not `keep` what it did.
+  std::function<Answer(const Value& request, bool keep)> answer;
+  bool changes = false;
 };
 
 /// The type as this dialect names it: "nav_msgs/msg/Path" with `kind` "msg" on ROS 2.

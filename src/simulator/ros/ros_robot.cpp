@@ -175,20 +175,6 @@ std::vector<TopicRow> topicTable(const Options& options) {
 
 }  // namespace
 
-const RosRobot::Service RosRobot::kRosapi[] = {
-    {{"/rosapi/topics", "rosapi/Topics"}, [](RosRobot& robot, const Value&) { return robot.topicNames(); }},
-    {{"/rosapi/topic_type", "rosapi/TopicType"},
-     [](RosRobot& robot, const Value& request) { return robot.topicType(request); }},
-    {{"/rosapi/topics_for_type", "rosapi/TopicsForType"},
-     [](RosRobot& robot, const Value& request) { return robot.topicsForType(request); }},
-    {{"/rosapi/services", "rosapi/Services"},
-     [](RosRobot& robot, const Value&) { return robot.serviceNames(); }},
-    {{"/rosapi/service_type", "rosapi/ServiceType"},
-     [](RosRobot& robot, const Value& request) { return robot.serviceType(request); }},
-    {{"/rosapi/nodes", "rosapi/Nodes"}, [](RosRobot& robot, const Value&) { return robot.nodes(); }},
-    {{"/rosapi/message_details", "rosapi/MessageDetails"},
-     [](RosRobot& robot, const Value& request) { return robot.types().details(request["type"].text()); }}};
-
 RosRobot::RosRobot(const Options& options, const RobotState& robot, const FaultPlan& faults,
                    KabamStore& kabam, MapPictures& pictures)
     : options_(options),
@@ -198,7 +184,8 @@ RosRobot::RosRobot(const Options& options, const RobotState& robot, const FaultP
       pictures_(pictures),
       dispatcher_(options, faults),
       types_(options.ros.dialect),
-      topics_(topicTable(options)) {}
+      topics_(topicTable(options)),
+      services_(allServices()) {}
 
 const TopicRow* RosRobot::topic(std::string_view name) const {
   const auto found =
@@ -288,52 +275,90 @@ Value RosRobot::globalCostsUpdate(const Moment& moment) {
   return patch;
 }
 
-std::vector<ServiceRow> RosRobot::services() const {
-  std::vector<ServiceRow> rows;
+std::vector<Service> RosRobot::allServices() {
+  std::vector<Service> rows;
+  const bool is_ros1 = options_.ros.dialect == RosDialect::Ros1;
   if (!options_.ros.dispatcher.there) {
-    const bool is_ros1 = options_.ros.dialect == RosDialect::Ros1;
-    rows.push_back({is_ros1 ? "/static_map" : "/map_server/map", "nav_msgs/GetMap"});
+    const std::string name = is_ros1 ? "/static_map" : "/map_server/map";
+    rows.push_back({name, "nav_msgs/GetMap", [this, name](const Value&, bool) -> Answer {
+                      const RosFaults faults = faults_.faults().ros;
+                      const Value map = mapMessage(momentOf(faults));
+                      if (!map.isNull()) return Value::Object{{"map", map}};
+                      return tl::make_unexpected("service [" + name +
+                                                 "] responded with an error: b'there is no map'");
+                    }});
   }
-  for (const ServiceRow& row : dispatcher_.services()) rows.push_back(row);
-  for (const ServiceRow& row : KabamStore::services()) {
-    if (options_.ros.kabam) rows.push_back(row);
-  }
-  for (const Service& service : kRosapi) {
-    if (options_.ros.rosapi) rows.push_back(service.row);
-  }
+  const std::vector<Service> dispatcher = dispatcher_.services(), kabam = kabam_.services();
+  rows.insert(rows.end(), dispatcher.begin(), dispatcher.end());
+  if (options_.ros.kabam) rows.insert(rows.end(), kabam.begin(), kabam.end());
+  const auto rosapi = [&](const char* name, std::string_view type, auto answer) {
+    const auto told = [answer](const Value& request, bool) -> Answer { return answer(request); };
+    if (options_.ros.rosapi) rows.push_back({std::string("/rosapi/") + name, type, told});
+  };
+  /// The first of `rows` whose name is asked for.
+  const auto typeOfOne = [this](const auto& all, const std::string& name) {
+    for (const auto& row : all) {
+      if (row.name == name) return Value::Object{{"type", wireType(row)}};
+    }
+    return Value::Object{{"type", ""}};
+  };
+  rosapi("topics", "rosapi/Topics", [this](const Value&) {
+    Value::List names, types;
+    for (const TopicRow& topic : presentTopics()) {
+      names.emplace_back(topic.name);
+      types.emplace_back(wireType(topic));
+    }
+    return Value::Object{{"topics", std::move(names)}, {"types", std::move(types)}};
+  });
+  rosapi("topic_type", "rosapi/TopicType", [this, typeOfOne](const Value& request) {
+    return typeOfOne(presentTopics(), request["topic"].text());
+  });
+  rosapi("topics_for_type", "rosapi/TopicsForType", [this](const Value& request) {
+    Value::List names;
+    for (const TopicRow& topic : presentTopics()) {
+      if (wireType(topic) == request["type"].text()) names.emplace_back(topic.name);
+    }
+    return Value::Object{{"topics", std::move(names)}};
+  });
+  rosapi("services", "rosapi/Services", [this](const Value&) {
+    Value::List names;
+    for (const Service& row : services_) names.emplace_back(row.name);
+    return Value::Object{{"services", std::move(names)}};
+  });
+  rosapi("service_type", "rosapi/ServiceType",
+         [this, typeOfOne](const Value& request) { return typeOfOne(services_, request["service"].text()); });
+  rosapi("nodes", "rosapi/Nodes", [this](const Value&) {
+    Value::List names{"/amcl", "/map_server", "/move_base", "/robot_state_publisher", "/rosbridge_websocket"};
+    if (options_.ros.kabam) names.emplace_back("/map_manager");
+    if (options_.ros.dispatcher.there) names.emplace_back("/map_dispatcher");
+    names.emplace_back("/rosapi");
+    return Value::Object{{"nodes", std::move(names)}};
+  });
+  rosapi("message_details", "rosapi/MessageDetails",
+         [this](const Value& request) { return types_.details(request["type"].text()); });
   return rows;
 }
 
-unsigned RosRobot::kindsOf(std::string_view service) const {
-  for (const ServiceRow& row : services()) {
-    if (row.name == service && row.changes) return kServices | kWrites;
-  }
-  return kServices | kReads;
+const Service* RosRobot::service(std::string_view name) const {
+  const auto found =
+      std::find_if(services_.begin(), services_.end(), [&](const Service& one) { return one.name == name; });
+  return found == services_.end() ? nullptr : &*found;
+}
+
+unsigned RosRobot::kindsOf(std::string_view name) const {
+  const Service* const known = service(name);
+  return kServices | (known != nullptr && known->changes ? kWrites : kReads);
 }
 
 Answer RosRobot::call(std::string_view name, const Value& args, const Verdict& verdict) {
   // ROS resolves names that are not whole; roslib asks for "rosapi/topics".
-  const std::string service = name.starts_with('/') ? std::string(name) : '/' + std::string(name);
-  const std::vector<ServiceRow> all = services();
-  const auto row =
-      std::find_if(all.begin(), all.end(), [&](const ServiceRow& known) { return known.name == service; });
-  if (row == all.end()) return tl::make_unexpected("Service " + service + " does not exist");
-  const std::string type = std::string(row->type) + "Request";
+  const std::string whole = name.starts_with('/') ? std::string(name) : '/' + std::string(name);
+  const Service* const known = service(whole);
+  if (known == nullptr) return tl::make_unexpected("Service " + whole + " does not exist");
+  const std::string type = std::string(known->type) + "Request";
   const Answer request = args.as<Value::List>() != nullptr ? types_.fromList(type, *args.as<Value::List>())
                                                            : types_.complete(type, args);
-  if (!request) return request;
-  const bool keep = !verdict.is(FaultKind::Ignore);
-  if (service.starts_with("/map_dispatcher/"))
-    return keep ? dispatcher_.call(service, *request) : Answer(Value::Object{});
-  if (service.starts_with("/map_manager/")) return kabam_.call(service, *request, keep);
-  for (const Service& one : kRosapi) {
-    if (one.row.name == service) return one.answer(*this, *request);
-  }
-  const RosFaults faults = faults_.faults().ros;
-  const Value map = mapMessage(momentOf(faults));
-  if (map.isNull())
-    return tl::make_unexpected("service [" + service + "] responded with an error: b'there is no map'");
-  return Value::Object{{"map", map}};
+  return request ? known->answer(*request, !verdict.is(FaultKind::Ignore)) : request;
 }
 
 /// Those that there are now.
@@ -347,57 +372,12 @@ std::string RosRobot::wireType(const TopicRow& topic) const {
   return typeName(typeOf(topic), "msg", options_.ros.dialect);
 }
 
-std::string RosRobot::wireType(const ServiceRow& service) const {
+std::string RosRobot::wireType(const Service& service) const {
   if (options_.ros.dialect == RosDialect::Ros2 && service.type.starts_with("rosapi/"))
     return "rosapi_msgs/srv/" + std::string(service.type.substr(service.type.find('/') + 1));
   std::string name = typeName(service.type, "srv", options_.ros.dialect);
   if (options_.ros.dispatcher.map_msg && name.starts_with("map_msgs/")) name.erase(7, 1);
   return name;
-}
-
-Value RosRobot::topicNames() const {
-  Value::List names, types;
-  for (const TopicRow& topic : presentTopics()) {
-    names.emplace_back(topic.name);
-    types.emplace_back(wireType(topic));
-  }
-  return Value::Object{{"topics", std::move(names)}, {"types", std::move(types)}};
-}
-
-Value RosRobot::topicType(const Value& request) const {
-  for (const TopicRow& topic : presentTopics()) {
-    if (topic.name == request["topic"].text()) return Value::Object{{"type", wireType(topic)}};
-  }
-  return Value::Object{{"type", ""}};
-}
-
-Value RosRobot::topicsForType(const Value& request) const {
-  Value::List names;
-  for (const TopicRow& topic : presentTopics()) {
-    if (wireType(topic) == request["type"].text()) names.emplace_back(topic.name);
-  }
-  return Value::Object{{"topics", std::move(names)}};
-}
-
-Value RosRobot::serviceNames() const {
-  Value::List names;
-  for (const ServiceRow& row : services()) names.emplace_back(row.name);
-  return Value::Object{{"services", std::move(names)}};
-}
-
-Value RosRobot::serviceType(const Value& request) const {
-  for (const ServiceRow& row : services()) {
-    if (row.name == request["service"].text()) return Value::Object{{"type", wireType(row)}};
-  }
-  return Value::Object{{"type", ""}};
-}
-
-Value RosRobot::nodes() const {
-  Value::List names{"/amcl", "/map_server", "/move_base", "/robot_state_publisher", "/rosbridge_websocket"};
-  if (options_.ros.kabam) names.emplace_back("/map_manager");
-  if (options_.ros.dispatcher.there) names.emplace_back("/map_dispatcher");
-  if (options_.ros.rosapi) names.emplace_back("/rosapi");
-  return Value::Object{{"nodes", std::move(names)}};
 }
 
 }  // namespace mapwright::simulator::ros

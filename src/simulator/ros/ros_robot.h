@@ -64,24 +64,13 @@ class RosRobot {
   Value globalCosts(const Moment& moment);
   Value globalCostsUpdate(const Moment& moment);
   const KabamStore& kabam() const { return kabam_; }
-  Value topicNames() const;
-  Value topicType(const Value& request) const;
-  Value topicsForType(const Value& request) const;
-  Value serviceNames() const;
-  Value serviceType(const Value& request) const;
-  Value nodes() const;
 
  private:
-  struct Service {
-    ServiceRow row;
-    Value (*answer)(RosRobot& robot, const Value& request);
-  };
-  static const Service kRosapi[];
-
-  std::vector<ServiceRow> services() const;
+  std::vector<Service> allServices();
+  const Service* service(std::string_view name) const;
   std::vector<TopicRow> presentTopics() const;
   std::string wireType(const TopicRow& topic) const;
-  std::string wireType(const ServiceRow& service) const;
+  std::string wireType(const Service& service) const;
   std::shared_ptr<const OccupancyCells> costsOfMap();
   std::optional<OccupancyCells> mapCells();
   Moment momentOf(const RosFaults& faults);
@@ -94,6 +83,7 @@ class RosRobot {
   Dispatcher dispatcher_;
   const MessageTypes types_;
   const std::vector<TopicRow> topics_;
+  const std::vector<Service> services_;
   Cache<RasterSource, std::shared_ptr<const OccupancyCells>> costs_{1};
 };
 
