@@ -1,12 +1,7 @@
 // The Agibot robot beside the Autoxing one: docs/protocols/agibot-aimdk.md.
 #include <QImage>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QTest>
 
-#include "raw_robot.h"
-#include "simulator/simulator.h"
+#include "running.h"
 #include "test_program.h"
 
 namespace test_aimdk {
@@ -18,38 +13,21 @@ namespace {
 const std::string kMapping = "/rpc/aimdk.protocol.MappingService/";
 const std::string kTopo = "/rpc/aimdk.protocol.LocalizationService/GetTopoMsgs";
 
-Options paused() {
-  Options options;
-  options.paused = true;
-  return options;
+raw::HttpReply post(const Running& robot, const std::string& path, const std::string& body) {
+  return raw::send(robot.aimdkPort(), "POST", path, body);
 }
 
-raw::HttpReply post(const Simulator& robot, const std::string& path, const std::string& body) {
-  const std::string answer = raw::exchange(
-      robot.aimdkPort(),
-      "POST " + path + " HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: " +
-          std::to_string(body.size()) + "\r\n\r\n" + body,
-      1);
-  raw::HttpReply reply;
-  if (answer.size() < 12) return reply;
-  reply.status = std::stoi(answer.substr(9, 3));
-  reply.body = answer.substr(answer.find("\r\n\r\n") + 4);
-  return reply;
-}
-
-QJsonObject object(const raw::HttpReply& reply) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(reply.body)).object();
-}
+QJsonObject object(const raw::HttpReply& reply) { return ::object(reply.body); }
 QJsonValue data(const raw::HttpReply& reply) { return object(reply)[QLatin1String("data")]; }
 
-raw::HttpReply names(const Simulator& robot) {
+raw::HttpReply names(const Running& robot) {
   return post(robot, kMapping + "GetStoredMapNames", R"({"command":"MappingCommand_GET_STORED_MAP_NAME"})");
 }
-raw::HttpReply whole(const Simulator& robot, const QString& id) {
+raw::HttpReply whole(const Running& robot, const QString& id) {
   return post(robot, kMapping + "Get2DWholeMap",
               R"({"command":"MappingCommand_GET_2D_WHOLE_MAP","map_id":")" + id.toStdString() + "\"}");
 }
-raw::HttpReply topo(const Simulator& robot, const QString& id) {
+raw::HttpReply topo(const Running& robot, const QString& id) {
   return post(robot, kTopo, R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" + id.toStdString() + "}");
 }
 
@@ -64,15 +42,13 @@ class TestAimdk : public QObject {
 
  private Q_SLOTS:
   void itsAddressIsAnotherPort() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     QVERIFY(robot.aimdkPort() != 0 && robot.aimdkPort() != robot.port());
     QCOMPARE(robot.aimdkAddress(), "aimdk+http://127.0.0.1:" + std::to_string(robot.aimdkPort()));
   }
 
   void mapsAreNamedByTextsOfThirteenDigits() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const QJsonArray maps = data(names(robot))[QLatin1String("map_lists")].toArray();
     QCOMPARE(maps.size(), 3);
     for (const QJsonValue& map : maps) {
@@ -86,8 +62,7 @@ class TestAimdk : public QObject {
   }
 
   void everyMapIsAPicture() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     int with_prefix = 0, lying = 0;
     for (const QJsonValue& listed : data(names(robot))[QLatin1String("map_lists")].toArray()) {
       const QJsonValue map = data(whole(robot, listed[QLatin1String("map_id")].toString()));
@@ -111,8 +86,7 @@ class TestAimdk : public QObject {
   }
 
   void pointsLieOnFreeGroundAndOneIsMisplaced() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const QString id = QStringLiteral("1764059676131");
     const QJsonValue map = data(whole(robot, id));
     const QImage picture =
@@ -140,8 +114,7 @@ class TestAimdk : public QObject {
   }
 
   void wrongRequestsAreAnswered() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const std::string good = R"({"command":"MappingCommand_GET_STORED_MAP_NAME"})";
     QCOMPARE(post(robot, "/nothing", good).status, 404);
     QCOMPARE(post(robot, kMapping + "DeleteMap", good).status, 404);
@@ -164,17 +137,15 @@ class TestAimdk : public QObject {
   }
 
   void newerFirmwareIsThereOnRequestOnly() {
-    const auto ask = [](const Simulator& robot, const char* method, const char* members) {
+    const auto ask = [](const Running& robot, const char* method, const char* members) {
       return post(robot, kMapping + method, std::string("{\"header\":{},") + members + "}");
     };
-    Simulator older(paused());
-    QVERIFY(!older.start());
+    Running older;
     const char* const realtime = "\"command\":\"MappingCommand_GET_REALTIME_MAP\"";
     QCOMPARE(ask(older, "GetRealtimeMapData", realtime).status, 404);
     Options options = paused();
     options.aimdk.newer = true;
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     const auto code = [](const raw::HttpReply& reply) {
       return object(reply)[QLatin1String("header")][QLatin1String("code")].toString();
     };
@@ -201,8 +172,7 @@ class TestAimdk : public QObject {
   }
 
   void itGoesWrongOnRequest() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     Faults faults;
     faults.requests.push_back({FaultKind::Refuse, kMapList, 1, 500});
     robot.setFaults(faults);
@@ -224,8 +194,7 @@ class TestAimdk : public QObject {
   void theSecretStaysWithTheOtherRobot() {
     Options options = paused();
     options.secret = "s";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     QCOMPARE(names(robot).status, 200);
     QCOMPARE(robot.requestLog().size(), std::size_t{1});
     QVERIFY(!robot.requestLog().front().had_secret);
@@ -234,8 +203,7 @@ class TestAimdk : public QObject {
   void anEmptyRobotHasEmptyData() {
     Options options = paused();
     options.scene = "empty";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     QVERIFY(data(names(robot))[QLatin1String("map_lists")].toArray().isEmpty());
     QVERIFY(data(whole(robot, QStringLiteral("1764059676131"))).toObject().isEmpty());
   }

@@ -2,10 +2,8 @@
 #include <set>
 
 #include <QTcpSocket>
-#include <QTest>
 
-#include "raw_robot.h"
-#include "simulator/simulator.h"
+#include "running.h"
 #include "test_program.h"
 #include "topic_socket.h"
 
@@ -16,13 +14,18 @@ using namespace mapwright::simulator;
 namespace {
 
 Options faulty(const Faults& faults) {
-  Options options;
-  options.paused = true;
+  Options options = paused();
   options.faults = faults;
   return options;
 }
 
-std::string target(const Simulator& robot, int index) {
+Options faulty(std::vector<RequestFault> requests) {
+  Options options = paused();
+  options.faults.requests = std::move(requests);
+  return options;
+}
+
+std::string target(const Running& robot, int index) {
   return "/ros/slam/submaps/" + robot.uuid() + "/0/" + std::to_string(index) + "?ver=24";
 }
 
@@ -39,24 +42,20 @@ class TestFaults : public QObject {
 
  private Q_SLOTS:
   void droppedRequestsGetNoAnswer() {
-    Faults faults;
-    faults.requests.push_back({FaultKind::Drop, kSubmaps});
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, 0);
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::Drop, kSubmaps}}));
+    QCOMPARE(robot.get(target(robot, 0)).status, 0);
     QTRY_VERIFY(robot.requestLog().front().until_s >= 0);
     QCOMPARE(robot.requestLog().front().status, 0);
-    QCOMPARE(raw::get(robot.port(), "/device/info").status, 200);  // only submaps go wrong
+    QCOMPARE(robot.get("/device/info").status, 200);  // only submaps go wrong
   }
 
   void truncatedAnswersEndHalfWay() {
     Faults faults;
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
-    const raw::HttpReply good = raw::get(robot.port(), target(robot, 0));
+    Running robot(faulty(faults));
+    const raw::HttpReply good = robot.get(target(robot, 0));
     faults.requests.push_back({FaultKind::Truncate, kSubmaps});
     robot.setFaults(faults);
-    const raw::HttpReply bad = raw::get(robot.port(), target(robot, 0));
+    const raw::HttpReply bad = robot.get(target(robot, 0));
     QCOMPARE(bad.status, 200);
     QVERIFY(!bad.whole);
     QCOMPARE(bad.headers.at("content-length"), std::to_string(good.body.size()));
@@ -64,24 +63,18 @@ class TestFaults : public QObject {
   }
 
   void wrongSizesDoNotFitTheCells() {
-    Faults faults;
-    faults.requests.push_back({FaultKind::WrongSize, kSubmaps});
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::WrongSize, kSubmaps}}));
     for (int index = 0; index < 8; ++index) {
-      const auto response = parsed(raw::get(robot.port(), target(robot, index)).body);
+      const auto response = parsed(robot.get(target(robot, index)).body);
       QVERIFY(response.has_value());
       QVERIFY(!raw::unpack(response->textures(0)).has_value());
     }
   }
 
   void corruptAnswersAreNoMessage() {
-    Faults faults;
-    faults.requests.push_back({FaultKind::Corrupt, kSubmaps});
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::Corrupt, kSubmaps}}));
     for (int index = 0; index < 8; ++index) {
-      const raw::HttpReply reply = raw::get(robot.port(), target(robot, index));
+      const raw::HttpReply reply = robot.get(target(robot, index));
       QCOMPARE(reply.status, 200);
       QVERIFY(reply.whole);
       QVERIFY(!parsed(reply.body).has_value());
@@ -90,20 +83,14 @@ class TestFaults : public QObject {
 
   void httpErrorsHaveTheChosenStatus() {
     for (const int status : {400, 404, 500, 502, 504}) {
-      Faults faults;
-      faults.requests.push_back({FaultKind::Refuse, kSubmaps, 1, status});
-      Simulator robot(faulty(faults));
-      QVERIFY(!robot.start());
-      QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, status);
+      Running robot(faulty(std::vector<RequestFault>{{FaultKind::Refuse, kSubmaps, 1, status}}));
+      QCOMPARE(robot.get(target(robot, 0)).status, status);
     }
   }
 
   void statusErrorsComeInsideAnOkAnswer() {
-    Faults faults;
-    faults.requests.push_back({FaultKind::StatusError, kSubmaps});
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
-    const raw::HttpReply reply = raw::get(robot.port(), target(robot, 0));
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::StatusError, kSubmaps}}));
+    const raw::HttpReply reply = robot.get(target(robot, 0));
     QCOMPARE(reply.status, 200);
     QVERIFY(parsed(reply.body).has_value());
     QVERIFY(parsed(reply.body)->status().code() != ros_messages::slam::OK);
@@ -111,12 +98,9 @@ class TestFaults : public QObject {
   }
 
   void latencyDelaysOneAnswerAndNoOther() {
-    Faults faults;
-    faults.requests.push_back({FaultKind::Delay, kSubmaps, 1, 300});
-    faults.requests.push_back({FaultKind::Jitter, kSubmaps, 1, 50});
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, 200);
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::Delay, kSubmaps, 1, 300},
+                                                   {FaultKind::Jitter, kSubmaps, 1, 50}}));
+    QCOMPARE(robot.get(target(robot, 0)).status, 200);
     QTRY_VERIFY(robot.requestLog().front().until_s >= 0);
     QVERIFY(robot.requestLog().front().until_s - robot.requestLog().front().at_s >= 0.3);
   }
@@ -128,12 +112,10 @@ class TestFaults : public QObject {
     const auto outcomes = [&](std::uint32_t seed) {
       Options options = faulty(faults);
       options.seed = seed;
-      Simulator robot(options);
+      Running robot(options);
       std::vector<int> statuses;
-      if (robot.start()) return statuses;
       for (int round = 0; round < 2; ++round) {
-        for (int index = 0; index < 20; ++index)
-          statuses.push_back(raw::get(robot.port(), target(robot, index)).status);
+        for (int index = 0; index < 20; ++index) statuses.push_back(robot.get(target(robot, index)).status);
       }
       return statuses;
     };
@@ -147,31 +129,23 @@ class TestFaults : public QObject {
   }
 
   void aPathIsMetWithAllThatIsBelowIt() {
-    Options options;
-    options.paused = true;
-    options.faults.requests = {{FaultKind::Refuse, kReads, 1, 404, "/device/info"},
-                               {FaultKind::Cut, kWrites, 1, 0, "/maps/"}};
-    Simulator robot(options);
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), "/device/info").status, 404);
-    QCOMPARE(raw::get(robot.port(), "/device/info/brief?x=1").status, 404);
-    QCOMPARE(raw::get(robot.port(), "/device/boot_progress").status, 200);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/maps/2", "").status, 0);
-    QCOMPARE(raw::get(robot.port(), "/maps/2").status, 404);  // it was done
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::Refuse, kReads, 1, 404, "/device/info"},
+                                                   {FaultKind::Cut, kWrites, 1, 0, "/maps/"}}));
+    QCOMPARE(robot.get("/device/info").status, 404);
+    QCOMPARE(robot.get("/device/info/brief?x=1").status, 404);
+    QCOMPARE(robot.get("/device/boot_progress").status, 200);
+    QCOMPARE(robot.send("DELETE", "/maps/2", "").status, 0);
+    QCOMPARE(robot.get("/maps/2").status, 404);  // it was done
   }
 
   void aRequestMayHaveNoAnswerAtAll() {
-    Options options;
-    options.paused = true;
-    options.faults.requests = {{FaultKind::Silence, kAllRequests, 1, 0, "/maps/2"}};
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(faulty(std::vector<RequestFault>{{FaultKind::Silence, kAllRequests, 1, 0, "/maps/2"}}));
     QTcpSocket client;
     client.connectToHost(QStringLiteral("127.0.0.1"), robot.port());
     QVERIFY(client.waitForConnected());
     client.write("DELETE /maps/2 HTTP/1.1\r\nHost: x\r\n\r\n");
     QTRY_COMPARE(robot.requestLog().size(), std::size_t(1));
-    QTRY_COMPARE(raw::get(robot.port(), "/maps/").body.find("620620f9c0fd0ecb0f66d981"), std::string::npos);
+    QTRY_COMPARE(robot.get("/maps/").body.find("620620f9c0fd0ecb0f66d981"), std::string::npos);
     QCOMPARE(client.state(), QAbstractSocket::ConnectedState);
     QCOMPARE(robot.requestLog().front().until_s, -1.0);
   }
@@ -179,8 +153,7 @@ class TestFaults : public QObject {
   void badEntriesStandBesideGoodOnes() {
     Faults faults;
     faults.bad_entries = true;
-    Simulator robot(faulty(faults));
-    QVERIFY(!robot.start());
+    Running robot(faulty(faults));
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");

@@ -2,13 +2,9 @@
 // log.
 #include <thread>
 
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTcpSocket>
-#include <QTest>
 
-#include "raw_robot.h"
-#include "simulator/simulator.h"
+#include "running.h"
 #include "test_program.h"
 
 namespace test_http {
@@ -17,18 +13,8 @@ using namespace mapwright::simulator;
 
 namespace {
 
-Options paused() {
-  Options options;
-  options.paused = true;
-  return options;
-}
-
-std::string submapPath(const Simulator& robot, const std::string& rest) {
+std::string submapPath(const Running& robot, const std::string& rest) {
   return "/ros/slam/submaps/" + robot.uuid() + "/" + rest;
-}
-
-QJsonObject object(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
 }
 
 ros_messages::slam::SubmapQueryV2Response parsed(const std::string& body) {
@@ -44,9 +30,8 @@ class TestHttp : public QObject {
 
  private Q_SLOTS:
   void aVersionedAnswerIsImmutable() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply reply = raw::get(robot.port(), submapPath(robot, "0/0?ver=24"));
+    Running robot;
+    const raw::HttpReply reply = robot.get(submapPath(robot, "0/0?ver=24"));
     QCOMPARE(reply.status, 200);
     QCOMPARE(reply.headers.at("content-type"), std::string("application/x-protobuf"));
     QCOMPARE(reply.headers.at("cache-control"), std::string("public, max-age=31536000, immutable"));
@@ -58,39 +43,35 @@ class TestHttp : public QObject {
   }
 
   void theBodyIsTheCurrentVersionWhateverWasAsked() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    QCOMPARE(parsed(raw::get(robot.port(), submapPath(robot, "0/0?ver=3")).body).submap_version(), 24);
+    Running robot;
+    QCOMPARE(parsed(robot.get(submapPath(robot, "0/0?ver=3")).body).submap_version(), 24);
     robot.bumpVersion(0, 0);
-    QCOMPARE(parsed(raw::get(robot.port(), submapPath(robot, "0/0?ver=24")).body).submap_version(), 25);
+    QCOMPARE(parsed(robot.get(submapPath(robot, "0/0?ver=24")).body).submap_version(), 25);
   }
 
   void withoutAVersionItMustBeAskedAgain() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply reply = raw::get(robot.port(), submapPath(robot, "0/0"));
+    Running robot;
+    const raw::HttpReply reply = robot.get(submapPath(robot, "0/0"));
     QCOMPARE(reply.status, 200);
     QCOMPARE(reply.headers.at("cache-control"), std::string("no-cache"));
     QVERIFY(reply.headers.at("etag").starts_with("W/\""));
   }
 
   void aKnownTagIsAnsweredWith304() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     for (const std::string target : {"0/0", "0/0?ver=24"}) {
-      const std::string tag = raw::get(robot.port(), submapPath(robot, target)).headers.at("etag");
-      const raw::HttpReply again =
-          raw::get(robot.port(), submapPath(robot, target), {{"If-None-Match", tag}});
+      const std::string tag = robot.get(submapPath(robot, target)).headers.at("etag");
+      const raw::HttpReply again = robot.get(submapPath(robot, target), {{"If-None-Match", tag}});
       QCOMPARE(again.status, 304);
       QVERIFY(again.body.empty());
       QCOMPARE(again.headers.at("etag"), tag);
       const raw::HttpReply other =
-          raw::get(robot.port(), submapPath(robot, target), {{"If-None-Match", "\"nonsense\", " + tag}});
+          robot.get(submapPath(robot, target), {{"If-None-Match", "\"nonsense\", " + tag}});
       QCOMPARE(other.status, 304);
     }
-    const std::string tag = raw::get(robot.port(), submapPath(robot, "0/0")).headers.at("etag");
+    const std::string tag = robot.get(submapPath(robot, "0/0")).headers.at("etag");
     robot.bumpVersion(0, 0);
-    QCOMPARE(raw::get(robot.port(), submapPath(robot, "0/0"), {{"If-None-Match", tag}}).status, 200);
+    QCOMPARE(robot.get(submapPath(robot, "0/0"), {{"If-None-Match", tag}}).status, 200);
   }
 
   void errors_data() {
@@ -130,10 +111,9 @@ class TestHttp : public QObject {
     QFETCH(QString, method);
     QFETCH(QString, target);
     QFETCH(int, status);
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     target.replace(QStringLiteral("UUID"), QString::fromStdString(robot.uuid()));
-    const raw::HttpReply reply = raw::get(robot.port(), target.toStdString(), {}, method.toStdString());
+    const raw::HttpReply reply = robot.get(target.toStdString(), {}, method.toStdString());
     QCOMPARE(reply.status, status);
     QVERIFY(!object(reply.body)[QLatin1String("detail")].toString().isEmpty());
     QCOMPARE(reply.headers.contains("allow"), status == 405);
@@ -141,8 +121,7 @@ class TestHttp : public QObject {
   }
 
   void headIsGetWithoutABody() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const std::string request = "HEAD /maps/1.png HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n";
     const std::string reply = raw::exchange(robot.port(), request, 1);
     QVERIFY(reply.starts_with("HTTP/1.1 200") && reply.ends_with("\r\n\r\n"));
@@ -150,10 +129,8 @@ class TestHttp : public QObject {
   }
 
   void aWrongUuidIsAStatusInsideTheAnswer() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply reply =
-        raw::get(robot.port(), "/ros/slam/submaps/0123456789abcdef01234567/0/0?ver=24");
+    Running robot;
+    const raw::HttpReply reply = robot.get("/ros/slam/submaps/0123456789abcdef01234567/0/0?ver=24");
     QCOMPARE(reply.status, 200);
     QCOMPARE(parsed(reply.body).status().code(), ros_messages::slam::UUID_MISMATCH);
     QCOMPARE(reply.headers.at("cache-control"), std::string("no-cache"));
@@ -163,9 +140,8 @@ class TestHttp : public QObject {
     for (const bool lists : {true, false}) {
       Options options = paused();
       options.enable_topic_list = lists;
-      Simulator robot(options);
-      QVERIFY(!robot.start());
-      const QJsonObject info = object(raw::get(robot.port(), "/device/info").body);
+      Running robot(options);
+      const QJsonObject info = object(robot.get("/device/info").body);
       QVERIFY(!info[QLatin1String("device")][QLatin1String("model")].toString().isEmpty());
       QVERIFY(!info[QLatin1String("device")][QLatin1String("sn")].toString().isEmpty());
       QCOMPARE(info[QLatin1String("caps")][QLatin1String("supportsEnableTopicList")].toBool(!lists), lists);
@@ -173,22 +149,20 @@ class TestHttp : public QObject {
   }
 
   void mapsAreListed() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply maps = raw::get(robot.port(), "/maps/");
+    Running robot;
+    const raw::HttpReply maps = robot.get("/maps/");
     QCOMPARE(maps.status, 200);
     QVERIFY(QJsonDocument::fromJson(QByteArray::fromStdString(maps.body)).isArray());
-    QCOMPARE(object(raw::get(robot.port(), "/chassis/current-map").body)[QLatin1String("id")].toInt(), 1);
+    QCOMPARE(object(robot.get("/chassis/current-map").body)[QLatin1String("id")].toInt(), 1);
   }
 
   void aSecretIsAskedForWhenThereIsOne() {
     Options options = paused();
     options.secret = "open sesame";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), "/device/info").status, 401);
-    QCOMPARE(raw::get(robot.port(), "/device/info", {{"Secret", "guess"}}).status, 401);
-    QCOMPARE(raw::get(robot.port(), "/device/info", {{"Secret", "open sesame"}}).status, 200);
+    Running robot(options);
+    QCOMPARE(robot.get("/device/info").status, 401);
+    QCOMPARE(robot.get("/device/info", {{"Secret", "guess"}}).status, 401);
+    QCOMPARE(robot.get("/device/info", {{"Secret", "open sesame"}}).status, 200);
     const std::vector<RequestRecord> log = robot.requestLog();
     QCOMPARE(log.size(), std::size_t(3));
     QVERIFY(!log[0].had_secret);
@@ -196,8 +170,7 @@ class TestHttp : public QObject {
   }
 
   void aConnectionServesManyRequests() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const std::string one = "GET /device/info HTTP/1.1\r\nHost: x\r\n\r\n";
     const std::string all = raw::exchange(robot.port(), one + one + one, 3);
     std::size_t answers = 0;
@@ -208,19 +181,16 @@ class TestHttp : public QObject {
   }
 
   void oversizedAndGarbledRequestsAreRefused() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), "/" + std::string(40'000, 'x')).status, 431);
-    QCOMPARE(raw::get(robot.port(), "/maps/", {{"Content-Length", "100000000"}}, "POST").status, 413);
+    Running robot;
+    QCOMPARE(robot.get("/" + std::string(40'000, 'x')).status, 431);
+    QCOMPARE(robot.get("/maps/", {{"Content-Length", "100000000"}}, "POST").status, 413);
     QVERIFY(raw::exchange(robot.port(), "\x01\x02 garbage\r\n\r\n", 1).starts_with("HTTP/1.1 400"));
-    QCOMPARE(raw::get(robot.port(), "/device/info").status, 200);
+    QCOMPARE(robot.get("/device/info").status, 200);
   }
 
   void theLogTellsWhatCameAndWhatWasAnswered() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply reply =
-        raw::get(robot.port(), submapPath(robot, "0/1?ver=24"), {{"If-None-Match", "\"old\""}});
+    Running robot;
+    const raw::HttpReply reply = robot.get(submapPath(robot, "0/1?ver=24"), {{"If-None-Match", "\"old\""}});
     QTRY_VERIFY(robot.requestLog().size() == 1 && robot.requestLog()[0].until_s >= 0);
     const RequestRecord record = robot.requestLog().front();
     QCOMPARE(record.method, std::string("GET"));
@@ -238,8 +208,7 @@ class TestHttp : public QObject {
     Options options = paused();
     options.faults.requests.push_back(
         {FaultKind::Delay, kSubmaps, 1, 60'000});  // nothing is answered while this test looks
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     const std::string request = "GET " + submapPath(robot, "0/0?ver=24") + " HTTP/1.1\r\nHost: x\r\n\r\n";
     std::vector<std::thread> clients;
     for (int i = 0; i < 3; ++i) {
@@ -252,7 +221,7 @@ class TestHttp : public QObject {
       most = std::max(most, record.concurrent);
     }
     QCOMPARE(most, 3);
-    QCOMPARE(raw::get(robot.port(), "/device/info").status, 200);
+    QCOMPARE(robot.get("/device/info").status, 200);
     QCOMPARE(robot.requestLog().back().concurrent, 3);  // other requests do not count
     robot.stop();
     for (std::thread& client : clients) client.join();
@@ -262,8 +231,7 @@ class TestHttp : public QObject {
   void aClientThatHangsUpIsNoLongerUnderWay() {
     Options options = paused();
     options.faults.requests.push_back({FaultKind::Delay, kSubmaps, 1, 60'000});
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     const std::string request = "GET " + submapPath(robot, "0/0?ver=24") + " HTTP/1.1\r\nHost: x\r\n\r\n";
     QTcpSocket client;
     client.connectToHost(QStringLiteral("127.0.0.1"), robot.port());
@@ -284,8 +252,7 @@ class TestHttp : public QObject {
   }
   void badOptionsAreASentence() {
     QFETCH(QString, part);
-    Simulator first(paused());
-    QVERIFY(!first.start());
+    Running first;
     Options options = paused();
     if (part == QLatin1String("office")) options.scene = "moon";
     if (part == QLatin1String("submaps")) options.submaps = -5;
@@ -297,12 +264,11 @@ class TestHttp : public QObject {
   }
 
   void itCanStopAndStartAgain() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     robot.stop();
     QCOMPARE(int(robot.port()), 0);
     QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), "/device/info").status, 200);
+    QCOMPARE(robot.get("/device/info").status, 200);
   }
 };
 

@@ -2,17 +2,11 @@
 #include <zlib.h>
 
 #include <QImage>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QPointF>
 #include <QSet>
-#include <QTest>
 
 #include "listening.h"
-#include "raw_robot.h"
 #include "ros_messages/wrapper.pb.h"
-#include "simulator/simulator.h"
 #include "test_program.h"
 #include "topic_socket.h"
 
@@ -24,15 +18,6 @@ using mapwright::simulator::Simulator;
 
 namespace {
 
-Options paused() {
-  Options options;
-  options.paused = true;
-  options.pose_hz = 50;     // tests wait for poses to come
-  options.start_at_s = 33;  // everything that comes and goes is there, the incremental trajectory too
-  return options;
-}
-
-QJsonObject object(const QString& text) { return QJsonDocument::fromJson(text.toUtf8()).object(); }
 QPointF point(const QJsonValue& value) { return {value[0].toDouble(), value[1].toDouble()}; }
 double apart(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -123,7 +108,7 @@ class TestLiveTopics : public QObject {
 
  private Q_SLOTS:
   void everyTopicComesAndIsTheSameOnEveryRun() {
-    Listening one(paused()), two(paused());
+    Listening one(paused(33)), two(paused(33));
     QTRY_VERIFY(one.client->isOpen() && two.client->isOpen());
     QByteArray all;
     for (const char* topic : kAllTopics) all += QByteArray(all.isEmpty() ? "\"" : ",\"") + topic + '"';
@@ -136,18 +121,18 @@ class TestLiveTopics : public QObject {
   }
 
   void nothingComesUnasked() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     QVERIFY(!robot.text("/tracked_pose").isEmpty());
     QTRY_VERIFY(robot.client->of("/tracked_pose").size() >= 25);
     QCOMPARE(robot.client->texts.size(), robot.client->of("/tracked_pose").size() + 1);
   }
 
   void theWholeMapComesInPiecesOfFourBits() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     const QJsonObject message = robot.of("/map");
     const QByteArray png = QByteArray::fromBase64(message[QLatin1String("data")].toString().toLatin1());
     QCOMPARE(static_cast<int>(png[24]), 4);
-    const QImage picture = pictureOf(message, robot.robot.port());
+    const QImage picture = pictureOf(message, robot.port());
     QVERIFY(!picture.isNull());
     QSet<int> grays;
     for (int v = 0; v < picture.height(); ++v) {
@@ -167,51 +152,51 @@ class TestLiveTopics : public QObject {
   }
   void pictureTopicsHaveAPlaceAndAPicture() {
     QFETCH(QByteArray, topic);
-    Listening robot(paused());
+    Listening robot(paused(33));
     const QJsonObject message = robot.of(topic.constData());
     QCOMPARE(message.contains(QLatin1String("data_url")), topic.endsWith("_v2"));
-    QVERIFY(!pictureOf(message, robot.robot.port()).isNull());
+    QVERIFY(!pictureOf(message, robot.port()).isNull());
   }
 
   void staticFilesMayBeKeptForEver() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     const std::string path = "/" + robot.of("/map_v2")[QLatin1String("data_url")].toString().toStdString();
     QVERIFY(path.starts_with("/static-files/map-"));
-    const raw::HttpReply file = raw::get(robot.robot.port(), path);
+    const raw::HttpReply file = robot.get(path);
     QCOMPARE(file.status, 200);
     QCOMPARE(file.headers.at("content-type"), std::string("image/png"));
     QCOMPARE(file.headers.at("cache-control"), std::string("public, max-age=2592000"));
     const std::string tag = file.headers.at("etag");
     QCOMPARE("/static-files/map-" + tag + ".png", path);  // without quotes, as these robots send it
-    QCOMPARE(raw::get(robot.robot.port(), path, {{"If-None-Match", tag}}).status, 304);
-    QCOMPARE(raw::get(robot.robot.port(), path, {{"If-None-Match", "\"" + tag + "\""}}).status, 304);
-    QCOMPARE(raw::get(robot.robot.port(), path, {{"If-None-Match", "other"}}).status, 200);
+    QCOMPARE(robot.get(path, {{"If-None-Match", tag}}).status, 304);
+    QCOMPARE(robot.get(path, {{"If-None-Match", "\"" + tag + "\""}}).status, 304);
+    QCOMPARE(robot.get(path, {{"If-None-Match", "other"}}).status, 200);
   }
 
   void aChangedMapIsSentAgainUnderAnotherName() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     const QJsonObject before = robot.of("/map_v2"), info = robot.of("/map/info");
     QCOMPARE(info[QLatin1String("uid")].toString().isEmpty(), false);
     QVERIFY(info[QLatin1String("overlays")].isObject());
-    robot.robot.publishMapChange();
+    robot.publishMapChange();
     QTRY_COMPARE(robot.client->of("/map_v2").size(), 2);
     const QJsonObject after = object(robot.client->of("/map_v2").last());
     QVERIFY(after[QLatin1String("data_url")] != before[QLatin1String("data_url")]);
-    QVERIFY(pictureOf(after, robot.robot.port()) != pictureOf(before, robot.robot.port()));
+    QVERIFY(pictureOf(after, robot.port()) != pictureOf(before, robot.port()));
     QTRY_COMPARE(robot.client->of("/map/info").size(), 2);
     QCOMPARE(object(robot.client->of("/map/info").last())[QLatin1String("map_version")].toInt(),
              info[QLatin1String("map_version")].toInt() + 1);
-    QVERIFY(robot.robot.setCurrentMap(2));
+    QVERIFY(robot.setCurrentMap(2));
     QTRY_COMPARE(robot.client->of("/map/info").size(), 3);
     QVERIFY(object(robot.client->of("/map/info").last())[QLatin1String("uid")] != info[QLatin1String("uid")]);
   }
 
   void costsSurroundTheRobotAndItsWalls() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     const QPointF here = point(robot.of("/tracked_pose")[QLatin1String("pos")]);
     for (const char* topic : {"/maps/5cm/1hz", "/maps/1cm/1hz"}) {
       const QJsonObject message = robot.of(topic);
-      const QImage picture = pictureOf(message, robot.robot.port());
+      const QImage picture = pictureOf(message, robot.port());
       QVERIFY(picture.width() >= 200 && picture.width() == picture.height());
       const double half = picture.width() / 2.0 * message[QLatin1String("resolution")].toDouble();
       QVERIFY(apart(here, point(message[QLatin1String("origin")]) + QPointF(half, half)) < 0.1);
@@ -219,7 +204,7 @@ class TestLiveTopics : public QObject {
       QVERIFY2(cost >= 0 && cost < 253, qPrintable(QString::number(cost)));
     }
     const QJsonObject wide = robot.of("/maps/5cm/1hz");
-    const QImage picture = pictureOf(wide, robot.robot.port());
+    const QImage picture = pictureOf(wide, robot.port());
     // Most of what the lidar hits is lethal.
     int lethal = 0, within = 0;
     for (const QJsonValue& hit : robot.of("/scan_matched_points2")[QLatin1String("points")].toArray()) {
@@ -234,7 +219,7 @@ class TestLiveTopics : public QObject {
 
   void aScanHasAsManyPointsAsAskedFor() {
     for (const int points : {0, 37, 720, 30'000}) {
-      Options options = paused();
+      Options options = paused(33);
       options.points_per_scan = points;
       Listening robot(options);
       const QJsonObject json = robot.of("/scan_matched_points2");
@@ -248,7 +233,7 @@ class TestLiveTopics : public QObject {
   }
 
   void theThreeShapesOfAScanAreTheSamePoints() {
-    Listening text(paused()), binary(paused(), QStringLiteral("?pb=1"));
+    Listening text(paused(33)), binary(paused(33), QStringLiteral("?pb=1"));
     const QJsonArray points = text.of("/scan_matched_points2")[QLatin1String("points")].toArray();
     const QByteArray packed = QByteArray::fromBase64(
         text.of("/left_laser_2d/matched")[QLatin1String("data")].toString().toLatin1());
@@ -284,7 +269,7 @@ class TestLiveTopics : public QObject {
   }
 
   void pathsBeginAtTheRobotAndLeadToTheTarget() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     const QPointF here = point(robot.of("/tracked_pose")[QLatin1String("pos")]);
     const QJsonArray path = robot.of("/path")[QLatin1String("positions")].toArray();
     const QJsonObject planning = robot.of("/planning_state");
@@ -307,7 +292,7 @@ class TestLiveTopics : public QObject {
   }
 
   void thingsMoveAndComeAndGoWithTime() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     const auto states = [&](const char* topic) {
       QSet<QString> seen;
       for (const QString& text : robot.client->of(topic)) {
@@ -322,7 +307,7 @@ class TestLiveTopics : public QObject {
         "/alerts",        "/wheel_state",       "/collected_barcode"};
     for (const char* topic : moving) QVERIFY(!robot.text(topic).isEmpty());
     for (int i = 0; i < 4; ++i) {
-      robot.robot.advance(23);
+      robot.advance(23);
       const qsizetype before = robot.client->of("/alerts").size();
       QTRY_VERIFY(robot.client->of("/alerts").size() > before);
     }
@@ -330,7 +315,7 @@ class TestLiveTopics : public QObject {
   }
 
   void nearbyRobotsNameTheirFootprints() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     QSet<QString> digests;
     for (const QJsonValue& footprint :
          robot.of("/nearby_robot_footprints")[QLatin1String("footprints")].toArray()) {
@@ -349,12 +334,12 @@ class TestLiveTopics : public QObject {
   }
 
   void picturesGoWrongOnRequest() {
-    Listening robot(paused());
+    Listening robot(paused(33));
     // A message of before the fault may still be on its way: what is asked for is that one comes that shows
     // the fault.
     const auto comes = [&](const char* topic, const Faults& faults, auto shows) {
-      robot.robot.setFaults(faults);
-      robot.robot.publishMapChange();
+      robot.setFaults(faults);
+      robot.publishMapChange();
       return QTest::qWaitFor(
           [&] {
             const auto& messages = robot.client->of(topic);
@@ -396,7 +381,7 @@ class TestLiveTopics : public QObject {
   }
 
   void anEmptyRobotSendsOnlyHowItIs() {
-    Options options = paused();
+    Options options = paused(33);
     options.scene = "empty";
     Listening robot(options);
     for (const char* topic : kAllTopics) {
@@ -410,7 +395,7 @@ class TestLiveTopics : public QObject {
   }
 
   void impossibleLoadsAreRefused() {
-    Options many = paused(), often = paused(), fine = paused();
+    Options many = paused(33), often = paused(33), fine = paused(33);
     many.points_per_scan = 2'000'000;
     often.scan_hz = 0;
     fine.costmap_cells = 5;

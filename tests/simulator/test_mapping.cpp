@@ -1,41 +1,24 @@
 // Mapping with the simulated robot: a task runs, the session and the pictures follow, its end leaves a map.
 #include <QImage>
-#include <QJsonArray>
 #include <QSet>
 
 #include "listening.h"
-#include "raw_robot.h"
 #include "test_program.h"
 
 namespace test_mapping {
 
 using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
 
 namespace {
 
-Options paused() {
-  Options options;
-  options.paused = true;
-  options.start_at_s = 60;
-  return options;
+raw::HttpReply start(const Running& robot, const char* body = R"({"continue_mapping":false})") {
+  return robot.send("POST", "/mappings/", body);
 }
-
-QJsonObject object(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+raw::HttpReply end(const Running& robot, const char* body = R"({"state":"finished"})") {
+  return robot.send("PATCH", "/mappings/current", body);
 }
-QJsonArray array(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).array();
-}
-
-raw::HttpReply start(const Simulator& robot, const char* body = R"({"continue_mapping":false})") {
-  return raw::send(robot.port(), "POST", "/mappings/", body);
-}
-raw::HttpReply end(const Simulator& robot, const char* body = R"({"state":"finished"})") {
-  return raw::send(robot.port(), "PATCH", "/mappings/current", body);
-}
-QSize pictureSize(const Simulator& robot, const std::string& path) {
-  return QImage::fromData(QByteArray::fromStdString(raw::get(robot.port(), path).body), "PNG").size();
+QSize pictureSize(const Running& robot, const std::string& path) {
+  return QImage::fromData(QByteArray::fromStdString(robot.get(path).body), "PNG").size();
 }
 QString stateOf(const QJsonObject& task) { return task[QLatin1String("state")].toString(); }
 
@@ -46,82 +29,80 @@ class TestMapping : public QObject {
 
  private Q_SLOTS:
   void aTaskRunsUntilItIsFinished() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot(paused(60));
     const auto reply = start(robot);
     QCOMPARE(reply.status, 201);
     const QJsonObject task = object(reply.body);
     QCOMPARE(task[QLatin1String("id")].toInt(), 49);
     QCOMPARE(stateOf(task), QStringLiteral("running"));
     QVERIFY(task[QLatin1String("end_time")].isNull() && task[QLatin1String("image_url")].isNull());
-    QCOMPARE(object(raw::get(robot.port(), "/mappings/current").body), task);
-    QCOMPARE(array(raw::get(robot.port(), "/mappings/").body).first().toObject(), task);
-    QCOMPARE(raw::get(robot.port(), "/mappings/49.png").status, 404);
+    QCOMPARE(object(robot.get("/mappings/current").body), task);
+    QCOMPARE(array(robot.get("/mappings/").body).first().toObject(), task);
+    QCOMPARE(robot.get("/mappings/49.png").status, 404);
 
     robot.advance(40);
     const auto ended = end(robot);
     QCOMPARE(ended.status, 200);
-    const QJsonObject done = object(raw::get(robot.port(), "/mappings/49").body);
+    const QJsonObject done = object(robot.get("/mappings/49").body);
     QCOMPARE(object(ended.body), done);
     QCOMPARE(stateOf(done), QStringLiteral("finished"));
     QCOMPARE(done[QLatin1String("end_time")].toInt() - done[QLatin1String("start_time")].toInt(), 40);
     QVERIFY(pictureSize(robot, "/mappings/49.png").width() > 100);
-    QCOMPARE(array(raw::get(robot.port(), "/mappings/49/trajectories.json").body).size(), 2);
-    QVERIFY(!array(raw::get(robot.port(), "/mappings/49/landmarks.json").body).isEmpty());
-    QCOMPARE(raw::get(robot.port(), "/mappings/current").status, 404);
+    QCOMPARE(array(robot.get("/mappings/49/trajectories.json").body).size(), 2);
+    QVERIFY(!array(robot.get("/mappings/49/landmarks.json").body).isEmpty());
+    QCOMPARE(robot.get("/mappings/current").status, 404);
 
-    const auto map = raw::send(robot.port(), "POST", "/maps/", R"({"map_name":"New","mapping_id":49})");
+    const auto map = robot.send("POST", "/maps/", R"({"map_name":"New","mapping_id":49})");
     QCOMPARE(map.status, 201);
     QCOMPARE(pictureSize(robot, "/maps/13.png"), pictureSize(robot, "/mappings/49.png"));
   }
 
   void theSessionIsTheMappingWhileItRuns() {
-    Listening robot(paused());
+    Listening robot(paused(60));
     QCOMPARE(robot.of("/slam/state")[QLatin1String("state")].toString(), QStringLiteral("positioning"));
     QVERIFY(!robot.text("/submap_list").isEmpty());
     const auto list = [&] { return raw::readList(robot.client->of("/submap_list").last().toStdString()); };
     const raw::List before = list();
     QVERIFY(before.find(0, 0) != nullptr && before.slam_state == "positioning");
-    QCOMPARE(start(robot.robot).status, 201);
+    QCOMPARE(start(robot).status, 201);
     QTRY_COMPARE(robot.last("/slam/state")[QLatin1String("state")].toString(), QStringLiteral("slam"));
     QTRY_VERIFY(list().slam_state == "slam");
     QVERIFY(list().uuid != before.uuid);
     for (const raw::Entry& entry : list().entries) QCOMPARE(entry.trajectory, 1);
     // Nothing of what is mapped is forgotten, and all of it can be fetched.
-    robot.robot.advance(200);
+    robot.advance(200);
     QTRY_VERIFY(list().entries.size() > 20);
     const raw::List grown = list();
     QVERIFY(grown.find(1, 0) != nullptr);
     QVERIFY(raw::fetch(robot.port(), grown.uuid, *grown.find(1, 0)).has_value());
-    QCOMPARE(end(robot.robot, R"({"state":"cancelled"})").status, 200);
+    QCOMPARE(end(robot, R"({"state":"cancelled"})").status, 200);
     QTRY_VERIFY(list().slam_state == "positioning");
     QVERIFY(list().find(0, 0) != nullptr && list().uuid != grown.uuid);
   }
 
   void theMapGrowsWhileItIsMade() {
-    Listening robot(paused());
+    Listening robot(paused(60));
     const QJsonObject kept = robot.of("/map");
-    QCOMPARE(start(robot.robot).status, 201);
+    QCOMPARE(start(robot).status, 201);
     QTRY_VERIFY(robot.last("/map")[QLatin1String("size")] != kept[QLatin1String("size")]);
     const QJsonObject small = robot.last("/map");
-    robot.robot.advance(60);
+    robot.advance(60);
     QTRY_VERIFY_WITH_TIMEOUT(robot.last("/map")[QLatin1String("data")] != small[QLatin1String("data")],
                              20'000);
     const auto area = [](const QJsonObject& map) {
       return map[QLatin1String("size")][0].toInt() * map[QLatin1String("size")][1].toInt();
     };
     QVERIFY(area(robot.last("/map")) > area(small));
-    QCOMPARE(end(robot.robot, R"({"state":"cancelled"})").status, 200);
+    QCOMPARE(end(robot, R"({"state":"cancelled"})").status, 200);
     QTRY_COMPARE(robot.last("/map")[QLatin1String("data")], kept[QLatin1String("data")]);
   }
 
   void aCancelledTaskLeavesNoMap() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot(paused(60));
     QCOMPARE(start(robot).status, 201);
     QCOMPARE(stateOf(object(end(robot, R"({"state":"cancelled"})").body)), QStringLiteral("cancelled"));
-    QCOMPARE(raw::get(robot.port(), "/mappings/49.png").status, 404);
-    QCOMPARE(raw::send(robot.port(), "POST", "/maps/", R"({"map_name":"x","mapping_id":49})").status, 400);
+    QCOMPARE(robot.get("/mappings/49.png").status, 404);
+    QCOMPARE(robot.send("POST", "/maps/", R"({"map_name":"x","mapping_id":49})").status, 400);
   }
 
   void aContinuedMapHoldsTheOldOneUnlessOnlyTheNewIsWanted() {
@@ -129,8 +110,7 @@ class TestMapping : public QObject {
     int i = 0;
     for (const char* how :
          {R"({"state":"finished","new_map_only":false})", R"({"state":"finished","new_map_only":true})"}) {
-      Simulator robot(paused());
-      QVERIFY(!robot.start());
+      Running robot(paused(60));
       QCOMPARE(start(robot, R"({"continue_mapping":true,"start_pose_type":"current_pose"})").status, 201);
       robot.advance(10);
       QCOMPARE(end(robot, how).status, 200);
@@ -140,21 +120,20 @@ class TestMapping : public QObject {
   }
 
   void onlyOneTaskRunsAndNothingDisturbsIt() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot(paused(60));
     QCOMPARE(end(robot).status, 404);
     QCOMPARE(start(robot).status, 201);
     QCOMPARE(start(robot).status, 400);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/mappings/49", "").status, 400);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/mappings/", "").status, 400);
-    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/current-map", R"({"map_id":2})").status, 400);
-    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/pose", R"({"position":[0,0,0],"ori":0})").status, 400);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/mappings/48", "").status, 204);
+    QCOMPARE(robot.send("DELETE", "/mappings/49", "").status, 400);
+    QCOMPARE(robot.send("DELETE", "/mappings/", "").status, 400);
+    QCOMPARE(robot.send("POST", "/chassis/current-map", R"({"map_id":2})").status, 400);
+    QCOMPARE(robot.send("POST", "/chassis/pose", R"({"position":[0,0,0],"ori":0})").status, 400);
+    QCOMPARE(robot.send("DELETE", "/mappings/48", "").status, 204);
     QCOMPARE(end(robot).status, 200);
     QCOMPARE(object(start(robot).body)[QLatin1String("id")].toInt(), 50);
     QCOMPARE(end(robot).status, 200);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/mappings/", "").status, 204);
-    QCOMPARE(array(raw::get(robot.port(), "/mappings/").body).size(), 0);
+    QCOMPARE(robot.send("DELETE", "/mappings/", "").status, 204);
+    QCOMPARE(array(robot.get("/mappings/").body).size(), 0);
   }
 
   void badRequestsStartAndEndNothing_data() {
@@ -170,20 +149,18 @@ class TestMapping : public QObject {
   void badRequestsStartAndEndNothing() {
     QFETCH(QByteArray, first);
     QFETCH(QByteArray, second);
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot(paused(60));
     QCOMPARE(start(robot, first.constData()).status, 400);
-    QCOMPARE(raw::get(robot.port(), "/mappings/current").status, 404);
+    QCOMPARE(robot.get("/mappings/current").status, 404);
     QCOMPARE(start(robot, "{}").status, 201);
     QCOMPARE(end(robot, second.constData()).status, 400);
-    QCOMPARE(raw::get(robot.port(), "/mappings/current").status, 200);
+    QCOMPARE(robot.get("/mappings/current").status, 200);
   }
 
   void anEmptyRobotHasNothingToMap() {
-    Options options = paused();
+    Options options = paused(60);
     options.scene = "empty";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     QCOMPARE(start(robot).status, 400);
   }
 };

@@ -1,13 +1,8 @@
 // Stored maps, mapping tasks, the current map and the whole map's picture over HTTP.
 #include <QImage>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QSet>
-#include <QTest>
 
-#include "raw_robot.h"
-#include "simulator/simulator.h"
+#include "running.h"
 #include "test_program.h"
 
 namespace test_maps {
@@ -16,18 +11,6 @@ using namespace mapwright::simulator;
 
 namespace {
 
-Options paused() {
-  Options options;
-  options.paused = true;
-  return options;
-}
-
-QJsonObject object(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
-}
-QJsonArray array(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).array();
-}
 QImage image(const std::string& png) { return QImage::fromData(QByteArray::fromStdString(png), "PNG"); }
 
 QJsonArray overlaysOf(const QJsonObject& detail) {
@@ -57,11 +40,10 @@ class TestMaps : public QObject {
 
  private Q_SLOTS:
   void bothSpellingsListTheSameMaps() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply list = raw::get(robot.port(), "/maps/");
+    Running robot;
+    const raw::HttpReply list = robot.get("/maps/");
     QCOMPARE(list.status, 200);
-    QCOMPARE(raw::get(robot.port(), "/maps").body, list.body);
+    QCOMPARE(robot.get("/maps").body, list.body);
     const QJsonArray maps = array(list.body);
     QVERIFY(maps.size() >= 3);
     QString names;
@@ -83,18 +65,17 @@ class TestMaps : public QObject {
   }
 
   void everyListedMapHasADetailAPictureAndAThumbnail() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    for (const QJsonValue& value : array(raw::get(robot.port(), "/maps/").body)) {
+    Running robot;
+    for (const QJsonValue& value : array(robot.get("/maps/").body)) {
       const std::string path = "/maps/" + std::to_string(value[QLatin1String("id")].toInt());
-      const QJsonObject detail = object(raw::get(robot.port(), path).body);
+      const QJsonObject detail = object(robot.get(path).body);
       QCOMPARE(detail[QLatin1String("uid")], value[QLatin1String("uid")]);
       QVERIFY(detail[QLatin1String("grid_resolution")].toDouble() > 0);
       for (const char* key : {"last_modified_time", "grid_origin_x", "grid_origin_y"})
         QVERIFY2(detail[QLatin1String(key)].isDouble(), key);
       QVERIFY(!detail[QLatin1String("pbstream_url")].toString().isEmpty());
 
-      const raw::HttpReply png = raw::get(robot.port(), path + ".png");
+      const raw::HttpReply png = robot.get(path + ".png");
       QCOMPARE(png.status, 200);
       QCOMPARE(png.headers.at("content-type"), std::string("image/png"));
       QCOMPARE(static_cast<int>(png.body.at(24)), 8);  // bits per pixel
@@ -104,16 +85,15 @@ class TestMaps : public QObject {
       QVERIFY2(count.black > 500, qPrintable(QString::number(count.black)));
       QVERIFY(count.white > 10 * count.black / 4);
 
-      const QImage small = image(raw::get(robot.port(), path + "/thumbnail").body);
+      const QImage small = image(robot.get(path + "/thumbnail").body);
       QVERIFY(!small.isNull() && small.width() <= 160 && small.height() <= 160);
       QVERIFY(tally(small).black > 20 && tally(small).white > 20);
     }
   }
 
   void overlaysAreATextWithEveryKindOfFeature() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const QJsonObject detail = object(raw::get(robot.port(), "/maps/1").body);
+    Running robot;
+    const QJsonObject detail = object(robot.get("/maps/1").body);
     QVERIFY(detail[QLatin1String("overlays")].isString());
     QSet<int> points, lines, regions;
     bool yaw_as_text = false, yaw_as_number = false, type_as_text = false, open_ring = false, no_id = false;
@@ -139,28 +119,26 @@ class TestMaps : public QObject {
   }
 
   void aPictureIsNotSentAgainToWhoHasIt() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply first = raw::get(robot.port(), "/maps/1.png");
+    Running robot;
+    const raw::HttpReply first = robot.get("/maps/1.png");
     QCOMPARE(first.headers.at("cache-control"), std::string("no-cache"));
     const std::string tag = first.headers.at("etag");
     QVERIFY(tag.front() == '"');
-    const raw::HttpReply again = raw::get(robot.port(), "/maps/1.png", {{"If-None-Match", tag}});
+    const raw::HttpReply again = robot.get("/maps/1.png", {{"If-None-Match", tag}});
     QCOMPARE(again.status, 304);
     QVERIFY(again.body.empty());
     QCOMPARE(again.headers.at("etag"), tag);
     robot.publishMapChange();
-    const raw::HttpReply changed = raw::get(robot.port(), "/maps/1.png", {{"If-None-Match", tag}});
+    const raw::HttpReply changed = robot.get("/maps/1.png", {{"If-None-Match", tag}});
     QCOMPARE(changed.status, 200);
     QVERIFY(changed.headers.at("etag") != tag);
-    QCOMPARE(object(raw::get(robot.port(), "/maps/1").body)[QLatin1String("map_version")].toInt(), 4);
+    QCOMPARE(object(robot.get("/maps/1").body)[QLatin1String("map_version")].toInt(), 4);
   }
 
   void theCurrentMapCanBeScripted() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const auto id = [&] {
-      return object(raw::get(robot.port(), "/chassis/current-map").body)[QLatin1String("id")].toInt();
+      return object(robot.get("/chassis/current-map").body)[QLatin1String("id")].toInt();
     };
     QCOMPARE(id(), 1);
     QVERIFY(robot.setCurrentMap(2));
@@ -170,23 +148,22 @@ class TestMaps : public QObject {
   }
 
   void mappingTasksAreListedWithWhatTheyMade() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const QJsonArray tasks = array(raw::get(robot.port(), "/mappings/").body);
+    Running robot;
+    const QJsonArray tasks = array(robot.get("/mappings/").body);
     QSet<QString> states;
     for (const QJsonValue& task : tasks) {
       states << task[QLatin1String("state")].toString();
       const std::string path = "/mappings/" + std::to_string(task[QLatin1String("id")].toInt());
-      QCOMPARE(object(raw::get(robot.port(), path).body), task.toObject());
+      QCOMPARE(object(robot.get(path).body), task.toObject());
       const bool made = task[QLatin1String("image_url")].isString();
       QCOMPARE(made, task[QLatin1String("state")] == QLatin1String("finished"));
-      QCOMPARE(raw::get(robot.port(), path + ".png").status, made ? 200 : 404);
-      QCOMPARE(raw::get(robot.port(), path + "/thumbnail").status, made ? 200 : 404);
+      QCOMPARE(robot.get(path + ".png").status, made ? 200 : 404);
+      QCOMPARE(robot.get(path + "/thumbnail").status, made ? 200 : 404);
       if (!made) continue;
-      const QJsonArray ways = array(raw::get(robot.port(), path + "/trajectories.json").body);
+      const QJsonArray ways = array(robot.get(path + "/trajectories.json").body);
       QCOMPARE(ways.size(), 2);
       QVERIFY(ways[0][QLatin1String("coordinates")].toArray().size() > 10);
-      QCOMPARE(array(raw::get(robot.port(), path + "/landmarks.json").body).size(), 6);
+      QCOMPARE(array(robot.get(path + "/landmarks.json").body).size(), 6);
     }
     QVERIFY((states.contains(QSet<QString>{QStringLiteral("finished"), QStringLiteral("cancelled")})));
   }
@@ -201,20 +178,17 @@ class TestMaps : public QObject {
   }
   void whatIsNotThereIs404() {
     QFETCH(QString, path);
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const raw::HttpReply reply = raw::get(robot.port(), path.toStdString());
+    Running robot;
+    const raw::HttpReply reply = robot.get(path.toStdString());
     QCOMPARE(reply.status, 404);
     QVERIFY(!object(reply.body)[QLatin1String("detail")].toString().isEmpty());
   }
 
   void theWholeMapComesAtAnyResolution() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     QSize last;
     for (const double resolution : {0.2, 0.1, 0.05}) {
-      const raw::HttpReply reply =
-          raw::get(robot.port(), "/ros/slam/map_image?resolution=" + std::to_string(resolution));
+      const raw::HttpReply reply = robot.get("/ros/slam/map_image?resolution=" + std::to_string(resolution));
       QCOMPARE(reply.status, 200);
       ros_messages::slam::GetMapImageResponse response;
       QVERIFY(response.ParseFromString(reply.body));
@@ -223,7 +197,7 @@ class TestMaps : public QObject {
       const QImage picture = image(response.png_bytes());
       QVERIFY(picture.width() > 1.8 * last.width() && picture.height() > 1.8 * last.height());
       last = picture.size();
-      const QJsonObject detail = object(raw::get(robot.port(), "/maps/1").body);
+      const QJsonObject detail = object(robot.get("/maps/1").body);
       QVERIFY(std::abs(response.origin_x() - detail[QLatin1String("grid_origin_x")].toDouble()) < 0.5);
       QVERIFY(std::abs(response.origin_y() - detail[QLatin1String("grid_origin_y")].toDouble()) < 0.5);
     }
@@ -232,26 +206,24 @@ class TestMaps : public QObject {
   void anEmptyRobotHasNoMaps() {
     Options options = paused();
     options.scene = "empty";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
-    QCOMPARE(array(raw::get(robot.port(), "/maps/").body).size(), 0);
-    QCOMPARE(array(raw::get(robot.port(), "/mappings/").body).size(), 0);
-    QCOMPARE(object(raw::get(robot.port(), "/chassis/current-map").body)[QLatin1String("id")].toInt(), -1);
-    QCOMPARE(raw::get(robot.port(), "/maps/1").status, 404);
-    QCOMPARE(raw::get(robot.port(), "/ros/slam/map_image?resolution=0.1").status, 502);
+    Running robot(options);
+    QCOMPARE(array(robot.get("/maps/").body).size(), 0);
+    QCOMPARE(array(robot.get("/mappings/").body).size(), 0);
+    QCOMPARE(object(robot.get("/chassis/current-map").body)[QLatin1String("id")].toInt(), -1);
+    QCOMPARE(robot.get("/maps/1").status, 404);
+    QCOMPARE(robot.get("/ros/slam/map_image?resolution=0.1").status, 502);
   }
 
   void everyRouteAsksForTheSecret() {
     Options options = paused();
     options.secret = "s";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     for (const char* path :
          {"/maps", "/maps/", "/maps/1", "/maps/1.png", "/maps/1/thumbnail", "/mappings/", "/mappings/48.png",
           "/chassis/current-map", "/static-files/map-0.png", "/ros/slam/map_image"}) {
-      QCOMPARE(raw::get(robot.port(), path).status, 401);
-      QCOMPARE(raw::get(robot.port(), path, {{"Secret", "wrong"}}).status, 401);
-      QVERIFY(raw::get(robot.port(), path, {{"Secret", "s"}}).status != 401);
+      QCOMPARE(robot.get(path).status, 401);
+      QCOMPARE(robot.get(path, {{"Secret", "wrong"}}).status, 401);
+      QVERIFY(robot.get(path, {{"Secret", "s"}}).status != 401);
     }
     const auto log = robot.requestLog();
     QVERIFY(log.size() >= 30 && !log[0].had_secret && log[1].had_secret);
@@ -261,41 +233,38 @@ class TestMaps : public QObject {
   void everyRunGivesTheSameBytes() {
     std::vector<std::string> seen;
     for (int run = 0; run < 2; ++run) {
-      Simulator robot(paused());
-      QVERIFY(!robot.start());
+      Running robot;
       std::string all;
       for (const char* path : {"/maps/", "/maps/1", "/maps/2.png", "/maps/7/thumbnail", "/mappings/48",
                                "/mappings/48/trajectories.json", "/ros/slam/map_image?resolution=0.15"})
-        all += raw::get(robot.port(), path).body;
+        all += robot.get(path).body;
       seen.push_back(all);
     }
     QVERIFY(seen[0] == seen[1]);
   }
 
   void mapsGoWrongOnRequest() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const std::string whole = raw::get(robot.port(), "/maps/1.png").body;
+    Running robot;
+    const std::string whole = robot.get("/maps/1.png").body;
     Faults faults;
     faults.truncated_maps = true;
     robot.setFaults(faults);
-    const raw::HttpReply half = raw::get(robot.port(), "/maps/1.png");
+    const raw::HttpReply half = robot.get("/maps/1.png");
     QVERIFY(half.whole && half.body == whole.substr(0, whole.size() / 2));
     faults = {};
     faults.lying_map_size = true;
     robot.setFaults(faults);
-    QCOMPARE(raw::get(robot.port(), "/maps/1.png").body.substr(16, 8),
-             std::string("\0\0\xEA\x60\0\0\xEA\x60", 8));
+    QCOMPARE(robot.get("/maps/1.png").body.substr(16, 8), std::string("\0\0\xEA\x60\0\0\xEA\x60", 8));
     faults = {};
     faults.requests.push_back({FaultKind::Refuse, kMapList, 1, 500});
     robot.setFaults(faults);
-    QCOMPARE(raw::get(robot.port(), "/maps/").status, 500);
-    QCOMPARE(raw::get(robot.port(), "/maps").status, 500);
+    QCOMPARE(robot.get("/maps/").status, 500);
+    QCOMPARE(robot.get("/maps").status, 500);
     for (const char* fault : {"zero-resolution", "negative-resolution", "no-resolution", "no-origin"}) {
       faults = {};
       faults.grid_fault = fault;
       robot.setFaults(faults);
-      const QJsonObject detail = object(raw::get(robot.port(), "/maps/1").body);
+      const QJsonObject detail = object(robot.get("/maps/1").body);
       const QJsonValue resolution = detail[QLatin1String("grid_resolution")];
       if (faults.grid_fault == "no-origin") {
         QVERIFY(!detail.contains(QLatin1String("grid_origin_x")) && resolution.toDouble() > 0);

@@ -5,29 +5,18 @@
 #include <set>
 #include <utility>
 
-#include <QTest>
-
-#include "raw_robot.h"
-#include "simulator/simulator.h"
+#include "running.h"
 #include "test_program.h"
 #include "topic_socket.h"
 
 namespace test_picture {
 
 using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
 
 namespace {
 
-Options paused(double at_s = 0) {
-  Options options;
-  options.paused = true;
-  options.start_at_s = at_s;
-  return options;
-}
-
 /// The robot's list, over a WebSocket of its own.
-std::string listOf(const Simulator& robot) {
+std::string listOf(const Running& robot) {
   TopicSocket client(robot.port());
   if (!QTest::qWaitFor([&] { return client.isOpen(); })) return {};
   client.send(R"({"enable_topic":"/submap_list"})");
@@ -93,8 +82,7 @@ class TestPicture : public QObject {
 
  private Q_SLOTS:
   void everyPackingAndFormatOccurs() {
-    Simulator robot(paused(200));
-    QVERIFY(!robot.start());
+    Running robot(paused(200));
     const raw::List list = raw::readList(listOf(robot));
     std::set<std::string> packings;
     std::set<int> formats;
@@ -128,16 +116,15 @@ class TestPicture : public QObject {
     const auto everything = [](std::uint32_t seed) {
       Options options = paused(100);
       options.seed = seed;
-      Simulator robot(options);
+      Running robot(options);
       std::map<std::string, std::string> said;
-      if (robot.start()) return said;
       said["list"] = listOf(robot);
-      said["info"] = raw::get(robot.port(), "/device/info").body;
+      said["info"] = robot.get("/device/info").body;
       const raw::List list = raw::readList(said["list"]);
       for (const raw::Entry& entry : list.entries) {
         if (entry.index % 5 != 0 && entry.trajectory == 0) continue;
         const std::string name = std::to_string(entry.trajectory) + "/" + std::to_string(entry.index);
-        said[name] = raw::get(robot.port(), "/ros/slam/submaps/" + list.uuid + "/" + name + "?ver=1").body;
+        said[name] = robot.get("/ros/slam/submaps/" + list.uuid + "/" + name + "?ver=1").body;
       }
       return said;
     };
@@ -149,8 +136,7 @@ class TestPicture : public QObject {
   }
 
   void neighboursShowTheSameWalls() {
-    Simulator robot(paused(60));
-    QVERIFY(!robot.start());
+    Running robot(paused(60));
     const raw::List list = raw::readList(listOf(robot));
     std::map<std::pair<int, int>, Reading> readings;
     for (const raw::Entry& entry : list.entries) {
@@ -179,8 +165,7 @@ class TestPicture : public QObject {
   }
 
   void theLiveTrajectoryShowsTheWallsOfTheMap() {
-    Simulator robot(paused(60));
-    QVERIFY(!robot.start());
+    Running robot(paused(60));
     const raw::List list = raw::readList(listOf(robot));
     Reading map;
     std::vector<Reading> live;
@@ -205,25 +190,23 @@ class TestPicture : public QObject {
   }
 
   void aNewVersionHasNewCells() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const std::string path = "/ros/slam/submaps/" + robot.uuid() + "/0/6?ver=";
-    const std::string before = raw::get(robot.port(), path + "24").body;
+    const std::string before = robot.get(path + "24").body;
     robot.bumpVersion(0, 6);
-    const std::string after = raw::get(robot.port(), path + "25").body;
+    const std::string after = robot.get(path + "25").body;
     ros_messages::slam::SubmapQueryV2Response one, two;
     QVERIFY(one.ParseFromString(before) && two.ParseFromString(after));
     QVERIFY(one.textures(0).cells() != two.textures(0).cells());
   }
 
   void aPoseMovesWithoutNewCells() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const std::string path = "/ros/slam/submaps/" + robot.uuid() + "/0/6?ver=24";
-    const std::string before = raw::get(robot.port(), path).body;
+    const std::string before = robot.get(path).body;
     robot.closeLoop();
     QVERIFY(!before.empty());
-    QVERIFY(raw::get(robot.port(), path).body == before);
+    QVERIFY(robot.get(path).body == before);
   }
 };
 

@@ -1,32 +1,16 @@
 // The WebSocket side: enabling, both kinds of list, the moments of the script, garbage, silence.
 #include <zlib.h>
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QTest>
-
-#include "raw_robot.h"
 #include "ros_messages/wrapper.pb.h"
-#include "simulator/simulator.h"
+#include "running.h"
 #include "test_program.h"
 #include "topic_socket.h"
 
 namespace test_topics {
 
 using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
 
 namespace {
-
-Options paused() {
-  Options options;
-  options.paused = true;
-  options.pose_hz = 50;  // tests wait for poses to come
-  return options;
-}
-
-QJsonObject object(const QString& text) { return QJsonDocument::fromJson(text.toUtf8()).object(); }
 
 QStringList enabled(const QString& text) {
   QStringList topics;
@@ -71,8 +55,7 @@ class TestTopics : public QObject {
 
  private Q_SLOTS:
   void theListComesAtOnceAsJson() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     QTRY_COMPARE(robot.openWebSockets(), 1);
@@ -98,8 +81,7 @@ class TestTopics : public QObject {
     QFETCH(bool, zipped);
     Options options = paused();
     options.submaps = submaps;
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     TopicSocket binary(robot.port(), QStringLiteral("?pb=1")), text(robot.port());
     QTRY_VERIFY(binary.isOpen() && text.isOpen());
     binary.send(R"({"enable_topic":"/submap_list"})");
@@ -125,8 +107,7 @@ class TestTopics : public QObject {
   void withoutBinarySupportTheListStaysJson() {
     Options options = paused();
     options.binary_topics = false;
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     TopicSocket client(robot.port(), QStringLiteral("?pb=1"));
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");
@@ -138,8 +119,7 @@ class TestTopics : public QObject {
     for (const bool offered : {true, false}) {
       Options options = paused();
       options.enable_topic_list = offered;
-      Simulator robot(options);
-      QVERIFY(!robot.start());
+      Running robot(options);
       TopicSocket client(robot.port());
       QTRY_VERIFY(client.isOpen());
       client.send(R"({"enable_topic":["/robot_model","/slam/state","/no/such"]})");
@@ -159,8 +139,7 @@ class TestTopics : public QObject {
   }
 
   void aDisabledTopicIsSilent() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":["/submap_list","/tracked_pose"]})");
@@ -177,8 +156,7 @@ class TestTopics : public QObject {
   }
 
   void thePoseIsInsideTheBuildingAndMovesWithTime() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/tracked_pose"})");
@@ -210,8 +188,7 @@ class TestTopics : public QObject {
   }
   void garbageIsAnsweredAndTheLinkLivesOn() {
     QFETCH(QString, text);
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.socket.sendTextMessage(text);
@@ -225,8 +202,7 @@ class TestTopics : public QObject {
   }
 
   void pingsArePonged() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.socket.ping();
@@ -236,8 +212,7 @@ class TestTopics : public QObject {
   void aSilentRobotAcceptsAndSaysNothing() {
     Options options = paused();
     options.faults.silent_websocket = true;
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     QTRY_COMPARE(robot.openWebSockets(), 1);
@@ -256,8 +231,7 @@ class TestTopics : public QObject {
   }
 
   void droppedLinksAreClosed() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_COMPARE(robot.openWebSockets(), 1);
     QTRY_VERIFY(client.isOpen());
@@ -269,8 +243,7 @@ class TestTopics : public QObject {
   void theSecretGuardsTheTopics() {
     Options options = paused();
     options.secret = "s";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     TopicSocket client(robot.port());
     QTRY_VERIFY(!robot.requestLog().empty() && robot.requestLog().front().until_s >= 0);
     QCOMPARE(robot.requestLog().front().status, 401);
@@ -279,8 +252,7 @@ class TestTopics : public QObject {
   }
 
   void aClosedLoopMovesPosesWithoutNewVersions() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");
@@ -300,8 +272,7 @@ class TestTopics : public QObject {
   }
 
   void aRestartGivesANewUuid() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");
@@ -314,8 +285,7 @@ class TestTopics : public QObject {
   }
 
   void removedAndChangedSubmapsShowInTheList() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");
@@ -327,12 +297,11 @@ class TestTopics : public QObject {
     robot.removeSubmap(0, 4);
     QTRY_COMPARE(client.of("/submap_list").size(), 3);
     QVERIFY(lastList(client).find(0, 4) == nullptr);
-    QCOMPARE(raw::get(robot.port(), "/ros/slam/submaps/" + robot.uuid() + "/0/4?ver=25").status, 404);
+    QCOMPARE(robot.get("/ros/slam/submaps/" + robot.uuid() + "/0/4?ver=25").status, 404);
   }
 
   void timeGrowsTheLiveTrajectoryAndBringsTheOthers() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");
@@ -359,8 +328,7 @@ class TestTopics : public QObject {
   void aRunningClockPublishesByItself() {
     Options options;
     options.speed = 20;
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":"/submap_list"})");
@@ -370,8 +338,7 @@ class TestTopics : public QObject {
   void anEmptySceneHasAnEmptyList() {
     Options options = paused();
     options.scene = "empty";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     TopicSocket client(robot.port());
     QTRY_VERIFY(client.isOpen());
     client.send(R"({"enable_topic":["/submap_list","/tracked_pose"]})");

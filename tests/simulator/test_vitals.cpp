@@ -1,15 +1,12 @@
 // How the simulated robot is: battery, wheels and alerts agree with each other, and do as they are told.
-#include <QJsonArray>
 #include <QSet>
 
 #include "listening.h"
-#include "raw_robot.h"
 #include "test_program.h"
 
 namespace test_vitals {
 
 using mapwright::simulator::Options;
-using mapwright::simulator::Simulator;
 
 namespace {
 
@@ -52,15 +49,11 @@ class TestVitals : public QObject {
     QCOMPARE(robot.of("/wheel_state")[QLatin1String("control_mode")].toString(), QStringLiteral("auto"));
     QVERIFY(!robot.of("/wheel_state")[QLatin1String("emergency_stop_pressed")].toBool(true));
     const std::string services = "/services/wheel_control/";
-    QCOMPARE(
-        raw::send(robot.port(), "POST", services + "set_control_mode", R"({"control_mode":"manual"})").status,
-        200);
-    QCOMPARE(raw::send(robot.port(), "POST", services + "set_emergency_stop", R"({"enable":true})").status,
-             200);
+    QCOMPARE(robot.send("POST", services + "set_control_mode", R"({"control_mode":"manual"})").status, 200);
+    QCOMPARE(robot.send("POST", services + "set_emergency_stop", R"({"enable":true})").status, 200);
     QTRY_VERIFY(robot.last("/wheel_state")[QLatin1String("emergency_stop_pressed")].toBool());
     QCOMPARE(robot.last("/wheel_state")[QLatin1String("control_mode")].toString(), QStringLiteral("manual"));
-    QCOMPARE(raw::send(robot.port(), "POST", services + "set_emergency_stop", R"({"enable":false})").status,
-             200);
+    QCOMPARE(robot.send("POST", services + "set_emergency_stop", R"({"enable":false})").status, 200);
     QTRY_VERIFY(!robot.last("/wheel_state")[QLatin1String("emergency_stop_pressed")].toBool(true));
   }
 

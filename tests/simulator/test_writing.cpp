@@ -4,11 +4,9 @@
 
 #include <QBuffer>
 #include <QImage>
-#include <QJsonArray>
 #include <QTcpSocket>
 
 #include "listening.h"
-#include "raw_robot.h"
 #include "test_program.h"
 
 namespace test_writing {
@@ -17,19 +15,6 @@ using namespace mapwright::simulator;
 
 namespace {
 
-Options paused() {
-  Options options;
-  options.paused = true;
-  options.pose_hz = 50;
-  return options;
-}
-
-QJsonObject object(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
-}
-QJsonArray array(const std::string& json) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).array();
-}
 std::string text(const QJsonObject& object) {
   return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
 }
@@ -60,12 +45,10 @@ QJsonObject wholeMap() {
           {QStringLiteral("overlays"), QString::fromLatin1(kOverlays)}};
 }
 
-QJsonObject mapOf(const Simulator& robot, int id) {
-  return object(raw::get(robot.port(), "/maps/" + std::to_string(id)).body);
+QJsonObject mapOf(const Running& robot, int id) {
+  return object(robot.get("/maps/" + std::to_string(id)).body);
 }
-QJsonObject currentOf(const Simulator& robot) {
-  return object(raw::get(robot.port(), "/chassis/current-map").body);
-}
+QJsonObject currentOf(const Running& robot) { return object(robot.get("/chassis/current-map").body); }
 
 }  // namespace
 
@@ -74,11 +57,9 @@ class TestWriting : public QObject {
 
  private Q_SLOTS:
   void aNameChangesAloneAndTheOverlaysKeepEveryByte() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const QJsonObject before = mapOf(robot, 2);
-    const auto renamed =
-        raw::send(robot.port(), "PATCH", "/maps/2", "{\"map_name\":\"Lobby \\\"new\\\" 🏭\"}");
+    const auto renamed = robot.send("PATCH", "/maps/2", "{\"map_name\":\"Lobby \\\"new\\\" 🏭\"}");
     QCOMPARE(renamed.status, 200);
     QCOMPARE(object(renamed.body), mapOf(robot, 2));
     QJsonObject after = mapOf(robot, 2);
@@ -91,28 +72,27 @@ class TestWriting : public QObject {
   }
 
   void overlaysAreKeptByteForByteAndCounted() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const QJsonObject patch{{QStringLiteral("overlays"), QString::fromLatin1(kOverlays)}};
     for (int version = 6; version < 9; ++version) {
-      QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", text(patch)).status, 200);
+      QCOMPARE(robot.send("PATCH", "/maps/1", text(patch)).status, 200);
       const QJsonObject map = mapOf(robot, 1);
       QCOMPARE(map[QLatin1String("overlays")].toString(), QString::fromLatin1(kOverlays));
       QCOMPARE(map[QLatin1String("overlays_version")].toInt(), version);
       QCOMPARE(map[QLatin1String("map_version")].toInt(), 3);
       QCOMPARE(currentOf(robot)[QLatin1String("overlays_version")].toInt(), version);
     }
-    QCOMPARE(raw::get(robot.port(), "/ros/map/overlays").body, std::string(kOverlays));
+    QCOMPARE(robot.get("/ros/map/overlays").body, std::string(kOverlays));
   }
 
   void onlyTheCurrentMapIsAnnouncedAgain() {
     Listening robot(paused());
     QCOMPARE(robot.of("/map/info")[QLatin1String("overlays_version")].toInt(), 5);
     QVERIFY(!robot.of("/map").isEmpty());
-    QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/2", R"({"map_name":"Not this one"})").status, 200);
+    QCOMPARE(robot.send("PATCH", "/maps/2", R"({"map_name":"Not this one"})").status, 200);
     const QJsonObject patch{{QStringLiteral("map_name"), QStringLiteral("This one")},
                             {QStringLiteral("overlays"), QString::fromLatin1(kOverlays)}};
-    QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", text(patch)).status, 200);
+    QCOMPARE(robot.send("PATCH", "/maps/1", text(patch)).status, 200);
     QTRY_COMPARE(robot.count("/map/info"), 2);
     const QJsonObject info = robot.last("/map/info");
     QCOMPARE(info[QLatin1String("name")].toString(), QStringLiteral("This one"));
@@ -124,54 +104,50 @@ class TestWriting : public QObject {
   void theLiveOverlaysCanBeReplacedWhole() {
     Listening robot(paused());
     QVERIFY(!robot.of("/map/info").isEmpty());
-    const auto reply = raw::send(robot.port(), "PUT", "/ros/map/overlays", kOverlays);
+    const auto reply = robot.send("PUT", "/ros/map/overlays", kOverlays);
     QCOMPARE(reply.status, 200);
     QVERIFY(object(reply.body)[QLatin1String("success")].toBool());
-    QCOMPARE(raw::get(robot.port(), "/ros/map/overlays").body, std::string(kOverlays));
-    QCOMPARE(mapOf(robot.robot, 1)[QLatin1String("overlays")].toString(), QString::fromLatin1(kOverlays));
+    QCOMPARE(robot.get("/ros/map/overlays").body, std::string(kOverlays));
+    QCOMPARE(mapOf(robot, 1)[QLatin1String("overlays")].toString(), QString::fromLatin1(kOverlays));
     QTRY_COMPARE(robot.count("/map/info"), 2);
     QCOMPARE(robot.last("/map/info")[QLatin1String("overlays_version")].toInt(), 6);
   }
 
   void aMapIsMadeFromAMapping() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const auto reply = raw::send(robot.port(), "POST", "/maps/", R"({"map_name":"From 48","mapping_id":48})");
+    Running robot;
+    const auto reply = robot.send("POST", "/maps/", R"({"map_name":"From 48","mapping_id":48})");
     QCOMPARE(reply.status, 201);
     const int id = object(reply.body)[QLatin1String("id")].toInt();
     QCOMPARE(id, 13);
     QCOMPARE(mapOf(robot, id)[QLatin1String("map_name")].toString(), QStringLiteral("From 48"));
     QCOMPARE(mapOf(robot, id)[QLatin1String("map_version")].toInt(), 1);
-    QCOMPARE(raw::get(robot.port(), "/maps/13.png").body, raw::get(robot.port(), "/mappings/48.png").body);
-    QCOMPARE(array(raw::get(robot.port(), "/maps/").body).size(), 5);
-    const auto next = raw::send(robot.port(), "POST", "/maps", R"({"map_name":"Again","mapping_id":31})");
+    QCOMPARE(robot.get("/maps/13.png").body, robot.get("/mappings/48.png").body);
+    QCOMPARE(array(robot.get("/maps/").body).size(), 5);
+    const auto next = robot.send("POST", "/maps", R"({"map_name":"Again","mapping_id":31})");
     QCOMPARE(object(next.body)[QLatin1String("id")].toInt(), 14);
     QVERIFY(object(next.body)[QLatin1String("uid")] != object(reply.body)[QLatin1String("uid")]);
   }
 
   void aMapIsHandedInAndGivenBackAsItWas() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    const auto reply = raw::send(robot.port(), "POST", "/maps/", text(wholeMap()));
+    Running robot;
+    const auto reply = robot.send("POST", "/maps/", text(wholeMap()));
     QCOMPARE(reply.status, 201);
     const std::string path = "/maps/" + std::to_string(object(reply.body)[QLatin1String("id")].toInt());
-    const QJsonObject map = object(raw::get(robot.port(), path).body);
+    const QJsonObject map = object(robot.get(path).body);
     QCOMPARE(map[QLatin1String("grid_origin_x")].toDouble(), -1.5);
     QCOMPARE(map[QLatin1String("grid_origin_y")].toDouble(), 2.0);
     QCOMPARE(map[QLatin1String("grid_resolution")].toDouble(), 0.1);
     QCOMPARE(map[QLatin1String("overlays")].toString(), QString::fromLatin1(kOverlays));
-    QCOMPARE(raw::get(robot.port(), path + ".png").body, gridPng());
-    QCOMPARE(raw::get(robot.port(), path + ".pbstream").body, std::string("binary"));
-    const QImage small =
-        QImage::fromData(QByteArray::fromStdString(raw::get(robot.port(), path + "/thumbnail").body));
+    QCOMPARE(robot.get(path + ".png").body, gridPng());
+    QCOMPARE(robot.get(path + ".pbstream").body, std::string("binary"));
+    const QImage small = QImage::fromData(QByteArray::fromStdString(robot.get(path + "/thumbnail").body));
     QCOMPARE(small.size(), QSize(30, 20));
-    const std::string tag = raw::get(robot.port(), path + ".png").headers.at("etag");
-    QCOMPARE(raw::get(robot.port(), path + ".png", {{"If-None-Match", tag}}).status, 304);
+    const std::string tag = robot.get(path + ".png").headers.at("etag");
+    QCOMPARE(robot.get(path + ".png", {{"If-None-Match", tag}}).status, 304);
   }
 
   void aMapIsHandedInAsAForm() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     std::string body;
     const auto part = [&](const std::string& name, const std::string& value, const std::string& more = {}) {
       body += "--mark\r\nContent-Disposition: form-data; name=\"" + name + "\"" + more + "\r\n\r\n" + value +
@@ -184,10 +160,10 @@ class TestWriting : public QObject {
     part("grid_origin_y", "2");
     part("grid_resolution", "0.1");
     const std::map<std::string, std::string> form{{"Content-Type", "multipart/form-data; boundary=mark"}};
-    const auto reply = raw::send(robot.port(), "POST", "/maps/", body + "--mark--\r\n", form);
+    const auto reply = robot.send("POST", "/maps/", body + "--mark--\r\n", form);
     QCOMPARE(reply.status, 201);
-    QCOMPARE(raw::get(robot.port(), "/maps/13.png").body, gridPng());
-    QCOMPARE(raw::send(robot.port(), "POST", "/maps/", body, form).status, 400);  // its end is missing
+    QCOMPARE(robot.get("/maps/13.png").body, gridPng());
+    QCOMPARE(robot.send("POST", "/maps/", body, form).status, 400);  // its end is missing
   }
 
   void badRequestsChangeNothing_data() {
@@ -247,48 +223,45 @@ class TestWriting : public QObject {
     QFETCH(QString, path);
     QFETCH(QByteArray, body);
     QFETCH(int, status);
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const auto state = [&] {
       std::string all;
       for (const char* part : {"/maps/", "/chassis/current-map", "/ros/map/overlays"})
-        all += raw::get(robot.port(), part).body;
+        all += robot.get(part).body;
       return all;
     };
     const std::string before = state();
-    const auto reply = raw::send(robot.port(), method.toStdString(), path.toStdString(), body.toStdString());
+    const auto reply = robot.send(method.toStdString(), path.toStdString(), body.toStdString());
     QCOMPARE(reply.status, status);
     QVERIFY(!object(reply.body)[QLatin1String("detail")].toString().isEmpty());
     QCOMPARE(state(), before);
   }
 
   void whatIsTooLargeIsRefused() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::get(robot.port(), "/maps/1", {{"Content-Length", "100000000"}}, "PATCH").status, 413);
+    Running robot;
+    QCOMPARE(robot.get("/maps/1", {{"Content-Length", "100000000"}}, "PATCH").status, 413);
     QJsonObject map = wholeMap();
     std::string png = gridPng();
     png.replace(16, 8, std::string("\0\0\x4E\x20\0\0\x4E\x20", 8));  // 20,000 x 20,000
     map[QLatin1String("occupancy_grid")] = QString::fromLatin1(QByteArray::fromStdString(png).toBase64());
-    QCOMPARE(raw::send(robot.port(), "POST", "/maps/", text(map)).status, 400);
+    QCOMPARE(robot.send("POST", "/maps/", text(map)).status, 400);
   }
 
   void deletedMapsAreGoneAndTheirIdsDoNotComeBack() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const auto made = [&] {
-      const auto reply = raw::send(robot.port(), "POST", "/maps/", R"({"map_name":"x","mapping_id":48})");
+      const auto reply = robot.send("POST", "/maps/", R"({"map_name":"x","mapping_id":48})");
       return object(reply.body)[QLatin1String("id")].toInt();
     };
     QCOMPARE(made(), 13);
-    const auto reply = raw::send(robot.port(), "DELETE", "/maps/13", "");
+    const auto reply = robot.send("DELETE", "/maps/13", "");
     QCOMPARE(reply.status, 204);
     QVERIFY(reply.body.empty());
-    QCOMPARE(raw::get(robot.port(), "/maps/13").status, 404);
-    QCOMPARE(raw::get(robot.port(), "/maps/13.png").status, 404);
+    QCOMPARE(robot.get("/maps/13").status, 404);
+    QCOMPARE(robot.get("/maps/13.png").status, 404);
     QCOMPARE(made(), 14);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/maps/", "").status, 204);
-    QCOMPARE(array(raw::get(robot.port(), "/maps/").body).size(), 0);
+    QCOMPARE(robot.send("DELETE", "/maps/", "").status, 204);
+    QCOMPARE(array(robot.get("/maps/").body).size(), 0);
     // The robot goes on with what it has in its head.
     QCOMPARE(currentOf(robot)[QLatin1String("id")].toInt(), -1);
     QCOMPARE(currentOf(robot)[QLatin1String("map_name")].toString(), QStringLiteral("Ground floor"));
@@ -300,33 +273,33 @@ class TestWriting : public QObject {
     const QJsonObject first = robot.of("/map");
     const QString first_url = robot.of("/map_v2")[QLatin1String("data_url")].toString();
     QVERIFY(!robot.of("/map/info").isEmpty());
-    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/current-map", R"({"map_id":2})").status, 200);
-    QCOMPARE(currentOf(robot.robot)[QLatin1String("id")].toInt(), 2);
+    QCOMPARE(robot.send("POST", "/chassis/current-map", R"({"map_id":2})").status, 200);
+    QCOMPARE(currentOf(robot)[QLatin1String("id")].toInt(), 2);
     QTRY_VERIFY(robot.count("/map") == 2 && robot.count("/map_v2") == 2 && robot.count("/map/info") == 2);
     QVERIFY(robot.last("/map")[QLatin1String("data")] != first[QLatin1String("data")]);
     QVERIFY(robot.last("/map_v2")[QLatin1String("data_url")].toString() != first_url);
     QCOMPARE(robot.last("/map/info")[QLatin1String("uid")].toString(),
              QStringLiteral("620620f9c0fd0ecb0f66d981"));
     const std::string by_uid = R"({"map_uid":"61e95264c0fd0ecb0f66c71e"})";
-    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/current-map", by_uid).status, 200);
-    QCOMPARE(currentOf(robot.robot)[QLatin1String("id")].toInt(), 7);
+    QCOMPARE(robot.send("POST", "/chassis/current-map", by_uid).status, 200);
+    QCOMPARE(currentOf(robot)[QLatin1String("id")].toInt(), 7);
   }
 
   void aMapCanBeWorkedWithWithoutBeingKept() {
     Listening robot(paused());
     QVERIFY(!robot.of("/map").isEmpty());
-    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/current-map", text(wholeMap())).status, 200);
-    QCOMPARE(currentOf(robot.robot)[QLatin1String("id")].toInt(), -1);
-    QCOMPARE(currentOf(robot.robot)[QLatin1String("map_name")].toString(), QStringLiteral("Handed in"));
-    QCOMPARE(array(raw::get(robot.port(), "/maps/").body).size(), 4);
+    QCOMPARE(robot.send("POST", "/chassis/current-map", text(wholeMap())).status, 200);
+    QCOMPARE(currentOf(robot)[QLatin1String("id")].toInt(), -1);
+    QCOMPARE(currentOf(robot)[QLatin1String("map_name")].toString(), QStringLiteral("Handed in"));
+    QCOMPARE(array(robot.get("/maps/").body).size(), 4);
     QTRY_COMPARE(robot.count("/map"), 2);
     const QJsonObject map = robot.last("/map");
     QCOMPARE(QByteArray::fromBase64(map[QLatin1String("data")].toString().toLatin1()).toStdString(),
              gridPng());
     QCOMPARE(map[QLatin1String("origin")].toArray(), (QJsonArray{-1.5, 2}));
-    QCOMPARE(raw::get(robot.port(), "/ros/map/overlays").body, std::string(kOverlays));
-    QVERIFY(raw::send(robot.port(), "PUT", "/ros/map/overlays", R"({"features":[]})").status == 200);
-    QCOMPARE(currentOf(robot.robot)[QLatin1String("overlays_version")].toInt(), 2);
+    QCOMPARE(robot.get("/ros/map/overlays").body, std::string(kOverlays));
+    QVERIFY(robot.send("PUT", "/ros/map/overlays", R"({"features":[]})").status == 200);
+    QCOMPARE(currentOf(robot)[QLatin1String("overlays_version")].toInt(), 2);
   }
 
   void aPoseIsBelievedAndLosesThePositionWhenItIsWrong() {
@@ -336,7 +309,7 @@ class TestWriting : public QObject {
     const auto pose = [&](double x, double y, double ori, const char* adjust) {
       const std::string body = "{\"position\":[" + std::to_string(x) + "," + std::to_string(y) +
                                ",0],\"ori\":" + std::to_string(ori) + adjust + "}";
-      return raw::send(robot.port(), "POST", "/chassis/pose", body).status;
+      return robot.send("POST", "/chassis/pose", body).status;
     };
     const auto isAt = [&](double x, double y, double ori) {
       const QJsonObject now = robot.last("/tracked_pose");
@@ -349,9 +322,9 @@ class TestWriting : public QObject {
     QTRY_VERIFY(!robot.last("/slam/state")[QLatin1String("reliable")].toBool(true));
     QVERIFY(robot.text("/alerts").contains(QLatin1String("7002")));
     // The robot drives on from where it believes to be.
-    robot.robot.advance(5);
+    robot.advance(5);
     QTRY_VERIFY(!isAt(100, -50, 1.5));
-    QCOMPARE(raw::send(robot.port(), "POST", "/services/start_global_positioning", "{}").status, 200);
+    QCOMPARE(robot.send("POST", "/services/start_global_positioning", "{}").status, 200);
     QTRY_VERIFY(robot.last("/slam/state")[QLatin1String("reliable")].toBool());
   }
 
@@ -364,7 +337,7 @@ class TestWriting : public QObject {
                              ",0],\"ori\":" + std::to_string(here[QLatin1String("ori")].toDouble() + 0.2);
     const auto send = [&](const std::string& adjust) {
       const qsizetype before = robot.count("/tracked_pose");
-      raw::send(robot.port(), "POST", "/chassis/pose", body + adjust + "}");
+      robot.send("POST", "/chassis/pose", body + adjust + "}");
       (void)QTest::qWaitFor([&] { return robot.count("/tracked_pose") >= before + 3; }, 20'000);
       return robot.last("/tracked_pose");
     };
@@ -385,9 +358,8 @@ class TestWriting : public QObject {
     const bool error = kind == FaultKind::Refuse;
     Options options = paused();
     options.faults.requests.push_back({kind, kWrites});
-    Simulator robot(options);
-    QVERIFY(!robot.start());
-    const auto reply = raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"New"})");
+    Running robot(options);
+    const auto reply = robot.send("PATCH", "/maps/1", R"({"map_name":"New"})");
     QCOMPARE(reply.status >= 500, error);
     QCOMPARE(reply.status == 0, !error);
     const QString name = mapOf(robot, 1)[QLatin1String("map_name")].toString();  // reading is not disturbed
@@ -397,34 +369,32 @@ class TestWriting : public QObject {
   void ignoredWritesAreAcceptedAndChangeNothingWhereTheyAreWanted() {
     Options options = paused();
     options.faults.requests.push_back({FaultKind::Ignore, kWrites, 1, 0, "/maps/"});
-    Simulator robot(options);
-    QVERIFY(!robot.start());
-    QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"New"})").status, 200);
-    QCOMPARE(raw::send(robot.port(), "DELETE", "/maps/2", "").status, 204);
+    Running robot(options);
+    QCOMPARE(robot.send("PATCH", "/maps/1", R"({"map_name":"New"})").status, 200);
+    QCOMPARE(robot.send("DELETE", "/maps/2", "").status, 204);
     QCOMPARE(mapOf(robot, 1)[QLatin1String("map_name")].toString(), QStringLiteral("Ground floor"));
-    QCOMPARE(raw::get(robot.port(), "/maps/2").status, 200);
-    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/current-map", R"({"map_id":2})").status, 200);
+    QCOMPARE(robot.get("/maps/2").status, 200);
+    QCOMPARE(robot.send("POST", "/chassis/current-map", R"({"map_id":2})").status, 200);
     QCOMPARE(currentOf(robot)[QLatin1String("id")].toInt(), 2);
   }
 
   void theDataOfAMapComesFromAnyPlaceOnWhileItIsTheSame() {
-    Simulator robot(paused());
-    QVERIFY(!robot.start());
+    Running robot;
     const std::string path = "/maps/1.pbstream";
-    const auto whole = raw::get(robot.port(), path);
+    const auto whole = robot.get(path);
     const std::string tag = whole.headers.at("etag");
     QCOMPARE(std::size_t(mapOf(robot, 1)[QLatin1String("pbstream_size")].toInt()), whole.body.size());
-    const auto rest = raw::get(robot.port(), path, {{"Range", "bytes=1000-"}, {"If-Range", tag}});
+    const auto rest = robot.get(path, {{"Range", "bytes=1000-"}, {"If-Range", tag}});
     QCOMPARE(rest.status, 206);
     QCOMPARE(rest.body, whole.body.substr(1000));
     robot.publishMapChange();
-    const auto other = raw::get(robot.port(), path, {{"Range", "bytes=1000-"}, {"If-Range", tag}});
+    const auto other = robot.get(path, {{"Range", "bytes=1000-"}, {"If-Range", tag}});
     QCOMPARE(other.status, 200);
     QVERIFY(other.headers.at("etag") != tag && other.body != whole.body);
     Faults faults;
     faults.requests.push_back({FaultKind::Truncate, kDownloads});
     robot.setFaults(faults);
-    QVERIFY(!raw::get(robot.port(), path).whole);
+    QVERIFY(!robot.get(path).whole);
   }
 
   void someWritesFailAndTheSameOnesOnEveryRun() {
@@ -432,11 +402,9 @@ class TestWriting : public QObject {
     for (int run = 0; run < 2; ++run) {
       Options options = paused();
       options.faults.requests.push_back({FaultKind::Refuse, kWrites, 0.5});
-      Simulator robot(options);
-      QVERIFY(!robot.start());
+      Running robot(options);
       QList<int> statuses;
-      for (int i = 0; i < 24; ++i)
-        statuses << raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"New"})").status;
+      for (int i = 0; i < 24; ++i) statuses << robot.send("PATCH", "/maps/1", R"({"map_name":"New"})").status;
       QVERIFY(statuses.contains(200) && (statuses.contains(500) || statuses.contains(503)));
       seen << statuses;
     }
@@ -446,22 +414,20 @@ class TestWriting : public QObject {
   void writesCanBeSlow() {
     Options options = paused();
     options.faults.requests.push_back({FaultKind::Delay, kWrites, 1, 60'000});
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     QTcpSocket client;
     client.connectToHost(QStringLiteral("127.0.0.1"), robot.port());
     QVERIFY(client.waitForConnected());
     client.write("PATCH /maps/1 HTTP/1.1\r\nHost: x\r\nContent-Length: 19\r\n\r\n{\"map_name\":\"Slow\"}");
     QTRY_COMPARE(robot.requestLog().size(), std::size_t(1));
-    QCOMPARE(raw::get(robot.port(), "/maps/").status, 200);
+    QCOMPARE(robot.get("/maps/").status, 200);
     QCOMPARE(robot.requestLog().front().until_s, -1.0);
   }
 
   void everyWriteAsksForTheSecret() {
     Options options = paused();
     options.secret = "s";
-    Simulator robot(options);
-    QVERIFY(!robot.start());
+    Running robot(options);
     for (const auto& [method, path] : {std::pair{"POST", "/maps/"},
                                        {"PATCH", "/maps/1"},
                                        {"DELETE", "/maps/1"},
@@ -472,11 +438,10 @@ class TestWriting : public QObject {
                                        {"PATCH", "/mappings/current"},
                                        {"POST", "/recording/"},
                                        {"DELETE", "/bags/"}}) {
-      QCOMPARE(raw::send(robot.port(), method, path, "{}").status, 401);
-      QCOMPARE(raw::send(robot.port(), method, path, "{}", {{"Secret", "wrong"}}).status, 401);
+      QCOMPARE(robot.send(method, path, "{}").status, 401);
+      QCOMPARE(robot.send(method, path, "{}", {{"Secret", "wrong"}}).status, 401);
     }
-    QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"Mine"})", {{"Secret", "s"}}).status,
-             200);
+    QCOMPARE(robot.send("PATCH", "/maps/1", R"({"map_name":"Mine"})", {{"Secret", "s"}}).status, 200);
     const std::string handshake =
         "GET /ws/v2/topics HTTP/1.1\r\nHost: x\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
