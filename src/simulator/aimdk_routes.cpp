@@ -165,11 +165,8 @@ Value wholeMap(AimdkState& state, const Faults& faults, const Value& request) {
                         {"map_name", map->name},
                         {"width", picture->width + map->wrong_size},
                         {"height", picture->height + map->wrong_size}};
-  if (faults.grid_fault != "no-resolution") {
-    members.emplace_back("resolution", faults.grid_fault == "zero-resolution"       ? 0
-                                       : faults.grid_fault == "negative-resolution" ? -resolution
-                                                                                    : resolution);
-  }
+  if (const auto told = faultyResolution(resolution, faults.grid_fault))
+    members.emplace_back("resolution", *told);
   if (faults.grid_fault != "no-origin") {
     members.emplace_back("origin_x", frame.origin_u);
     members.emplace_back("origin_y", frame.origin_v);

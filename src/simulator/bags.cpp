@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 
 #include "simulator/axbot_routes.h"
 #include "simulator/noise.h"
@@ -278,36 +277,14 @@ constexpr std::size_t kBagHeaderBytes = 4096;
 constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                    "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
 
-std::tm utcOf(double time_s) {
-  const auto seconds = static_cast<std::time_t>(std::floor(stampOf(time_s)));
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  return utc;
-}
-
-std::string digits(int number, std::size_t width) {
-  std::string text = std::to_string(number);
-  return text.size() < width ? std::string(width - text.size(), '0') + text : text;
-}
-
-std::string day(const std::tm& utc) {
-  return digits(utc.tm_year + 1900, 4) + "-" + digits(utc.tm_mon + 1, 2) + "-" + digits(utc.tm_mday, 2);
-}
-
-std::string clock(const std::tm& utc, char separator) {
-  return digits(utc.tm_hour, 2) + separator + digits(utc.tm_min, 2) + separator + digits(utc.tm_sec, 2);
-}
-
 /// Bags are named after when they begin.
 Bag bagFrom(double from_s, BagCondition condition) {
-  const std::tm utc = utcOf(from_s);
-  return {day(utc) + "_" + clock(utc, '-') + ".bag", {from_s, from_s + kBagS, false}, condition};
+  return {dateOf(from_s, "%Y-%m-%d_%H-%M-%S.bag"), {from_s, from_s + kBagS, false}, condition};
 }
 
 /// Recordings are named after when they end, with a space and colons.
 Bag recordingUntil(double until_s, double duration_s, std::string_view suffix, bool every_scan) {
-  const std::tm utc = utcOf(until_s);
-  std::string name = day(utc) + " " + clock(utc, ':');
+  std::string name = dateOf(until_s, "%Y-%m-%d %H:%M:%S");
   if (!suffix.empty()) name.append("_").append(suffix);
   return {name + ".bag", {until_s - duration_s, until_s, every_scan}, BagCondition::Whole};
 }
@@ -319,11 +296,10 @@ void appendField(std::string& out, std::string_view name, Number number) {
   appendNumber(out, number);
 }
 
-/// "31-Oct-2023 14:36:17" of a simulated second.
+/// "31-Oct-2023 14:36:17" of a simulated second, in English everywhere.
 std::string listedTime(double time_s) {
-  const std::tm utc = utcOf(time_s);
-  return digits(utc.tm_mday, 2) + "-" + kMonths[static_cast<std::size_t>(utc.tm_mon)] + "-" +
-         digits(utc.tm_year + 1900, 4) + " " + clock(utc, ':');
+  const int month = std::stoi(dateOf(time_s, "%m"));
+  return dateOf(time_s, "%d-") + kMonths[month - 1] + dateOf(time_s, "-%Y %H:%M:%S");
 }
 
 /// "6.8KB".

@@ -100,6 +100,12 @@ class FaultPlan {
   std::map<std::string, std::uint32_t> tries_;
 };
 
+/// A map's resolution as Faults::grid_fault leaves it; nullopt if it is left out.
+inline std::optional<double> faultyResolution(double resolution, std::string_view fault) {
+  if (fault == "no-resolution") return std::nullopt;
+  return fault == "zero-resolution" ? 0 : fault == "negative-resolution" ? -resolution : resolution;
+}
+
 /// Bytes that are not a protobuf message.
 inline std::string garbage(std::uint64_t seed) {
   Dice dice(seed);

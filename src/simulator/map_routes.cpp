@@ -75,10 +75,13 @@ Value mapValue(const StoredMap& map) {
 }
 
 /// Adds where the picture lies and its resolution; zeros without a picture.
-void addGrid(Value& value, const MapPicturePtr& picture) {
-  value.set("grid_origin_x", picture ? picture->origin_m.x() : 0);
-  value.set("grid_origin_y", picture ? picture->origin_m.y() : 0);
-  value.set("grid_resolution", picture ? picture->resolution_m : 0);
+void addGrid(Value& value, const MapPicturePtr& picture, std::string_view fault = {}) {
+  if (fault != "no-origin") {
+    value.set("grid_origin_x", picture ? picture->origin_m.x() : 0);
+    value.set("grid_origin_y", picture ? picture->origin_m.y() : 0);
+  }
+  if (const auto resolution = faultyResolution(picture ? picture->resolution_m : 0, fault))
+    value.set("grid_resolution", *resolution);
 }
 
 /// One row of the list of maps.
@@ -164,17 +167,6 @@ tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields) 
   return map;
 }
 
-void addFaultyGrid(Value& value, const MapPicturePtr& picture, const std::string& fault) {
-  Value grid;
-  addGrid(grid, picture);
-  if (fault == "zero-resolution") grid.set("grid_resolution", 0);
-  if (fault == "negative-resolution") grid.set("grid_resolution", -0.05);
-  for (const auto& [name, number] : *grid.as<Value::Object>()) {
-    const bool left_out = name == "grid_resolution" ? fault == "no-resolution" : fault == "no-origin";
-    if (!left_out) value.set(name, number);
-  }
-}
-
 HttpAnswer createMap(const Robot& robot, const Request& request) {
   const RequestFields& fields = request.fields;
   StoredMap map;
@@ -215,7 +207,7 @@ HttpAnswer shownMap(const Robot& robot, const StoredMap& map) {
   const std::string path = "/maps/" + std::to_string(map.id);
   Value body = mapValue(map);
   body.set("last_modified_time", map.modified_s);
-  addFaultyGrid(body, picture, robot.faults.faults().grid_fault);
+  addGrid(body, picture, robot.faults.faults().grid_fault);
   body.set("overlays", map.overlays ? *map.overlays : "");
   body.set("image_size", picture ? picture->png->size() : 0);
   body.set("pbstream_size", pbstreamOf(robot.library, map).size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "simulator/noise.h"
@@ -33,6 +34,14 @@ Correction correctionOf(std::uint64_t seed, std::uint64_t closures, map::SubmapI
 }
 
 }  // namespace
+
+std::string dateOf(double time_s, const char* format) {
+  const auto stamp = static_cast<std::time_t>(std::floor(stampOf(time_s)));
+  std::tm utc{};
+  gmtime_r(&stamp, &utc);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, format, &utc)};
+}
 
 RobotState::RobotState(Scene scene, std::uint32_t seed, ClockOptions clock)
     : RobotState(std::make_shared<const Scene>(std::move(scene)), seed, clock, nullptr) {

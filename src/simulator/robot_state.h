@@ -19,6 +19,8 @@ namespace mapwright::simulator {
 /// Seconds since the epoch of a simulated second, as the robot's clock shows it: its world begins on 3 June
 /// 2024, 09:00 UTC.
 constexpr double stampOf(double time_s) { return 1717405200 + time_s; }
+/// Its date and time in UTC, as strftime() writes them.
+std::string dateOf(double time_s, const char* format);
 
 struct ClockOptions {
   double start_at_s = 0;  // simulated seconds

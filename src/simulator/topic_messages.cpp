@@ -213,10 +213,8 @@ std::vector<LidarPoint> pointsNow(const RobotState& state, int count, std::uint6
 /// As the faults leave it.
 Value::Object messageAt(double time_s, const MapPicture& picture, const std::string& fault) {
   Value::Object message{{"stamp", fixed(stampOf(time_s), 3)}};
-  const double resolution = fault == "zero-resolution"       ? 0
-                            : fault == "negative-resolution" ? -picture.resolution_m
-                                                             : picture.resolution_m;
-  if (fault != "no-resolution") message.emplace_back("resolution", float32(resolution));
+  if (const auto resolution = faultyResolution(picture.resolution_m, fault))
+    message.emplace_back("resolution", float32(*resolution));
   message.emplace_back("size", Value::List{picture.width, picture.height});
   if (fault != "no-origin")
     message.emplace_back("origin", Value::Float64s{picture.origin_m.x(), picture.origin_m.y()});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace mapwright::simulator::ros {
 namespace {
@@ -76,14 +75,7 @@ Value gridPatchMessage(const Moment& moment, const OccupancyCells& of) {
       "map", {{"x", u0}, {"y", v0}, {"width", u1 - u0}, {"height", v1 - v0}, {"data", std::move(cells)}});
 }
 
-/// "2025-05-21 11:28:18"
-std::string dateOf(double simulated_s) {
-  const auto stamp = static_cast<std::time_t>(stampOf(simulated_s));
-  std::tm parts{};
-  gmtime_r(&stamp, &parts);
-  char text[32];
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts)};
-}
+constexpr const char* kDate = "%Y-%m-%d %H:%M:%S";
 
 Value mapList(const std::vector<KabamMap>& maps, bool archived, bool both = false) {
   Value::List list;
@@ -100,8 +92,8 @@ Value mapInfoMessage(const KabamStore& kabam) {
   return Value::Object{{"map_id", map ? map->id : ""},
                        {"map_name", map ? map->name : ""},
                        {"map_label", map ? map->label : ""},
-                       {"updated_at", map ? dateOf(map->updated_s) : ""},
-                       {"created_at", map ? dateOf(map->created_s) : ""},
+                       {"updated_at", map ? dateOf(map->updated_s, kDate) : ""},
+                       {"created_at", map ? dateOf(map->created_s, kDate) : ""},
                        {"map_manager_state", state == ManagerState::Idle      ? "IDLE"
                                              : state == ManagerState::Mapping ? "MAPPING"
                                                                               : "ACTIVE"}};
