@@ -1,25 +1,13 @@
 #include "app/layer_subscription.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 #include "robot/offers_topics.h"
 
 namespace mapwright::app {
-namespace {
 
 using scene::Layer;
-
-/// A picture has arrived when it is decoded, not when the message with its address has.
-constexpr std::array<std::pair<Layer, map::GridKind>, 5> kPictures{
-    {{Layer::Incremental, map::GridKind::Incremental},
-     {Layer::EnvMatch, map::GridKind::EnvMatch},
-     {Layer::EnvSymmetry, map::GridKind::EnvSymmetry},
-     {Layer::CostmapLow, map::GridKind::CostmapLow},
-     {Layer::CostmapHigh, map::GridKind::CostmapHigh}}};
-
-}  // namespace
 
 LayerSubscription::LayerSubscription(session::Session& session) : session_(session) {
   // The session connected to this signal earlier, so its world already contains the message.
@@ -28,12 +16,11 @@ LayerSubscription::LayerSubscription(session::Session& session) : session_(sessi
 }
 
 robot::LiveTopics::Basics LayerSubscription::basics(const std::set<Layer>& layers, bool submaps) {
-  const std::array around_robot{Layer::Robot,     Layer::Trail, Layer::Footprint, Layer::ExpandedFootprint,
-                                Layer::LocalPath, Layer::Boxes};
   robot::LiveTopics::Basics basics;
   basics.submaps = submaps;
-  basics.pose = std::any_of(around_robot.begin(), around_robot.end(),
-                            [&](Layer layer) { return layers.contains(layer); });
+  basics.pose = std::any_of(layers.begin(), layers.end(), [](Layer layer) {
+    return scene::specOf(layer).always_on.contains(map::Stream::Pose);
+  });
   basics.state = false;
   return basics;
 }
@@ -45,21 +32,17 @@ void LayerSubscription::ask(const std::set<Layer>& layers, bool live_map) {
   map::Streams all;
   for (const Layer layer : layers) {
     if (layer == Layer::WholeMap) continue;
-    map::Streams streams = scene::layerStreams(layer);
+    map::Streams streams = scene::layerStreams(layer), always_on = scene::specOf(layer).always_on;
     all.insert(streams.begin(), streams.end());
-    const auto picture = std::find_if(kPictures.begin(), kPictures.end(),
-                                      [&](const auto& entry) { return entry.first == layer; });
-    if (picture != kPictures.end()) {
-      pictures_[picture->second] = *streams.begin();
+    // A picture has arrived when it is decoded, not when the message with its address has.
+    if (const auto grid = scene::specOf(layer).grid) {
+      pictures_[*grid] = *streams.begin();
     } else {
       waiting_.merge(streams);
     }
+    waiting_.merge(always_on);
   }
   if (live_map) all.merge(scene::layerStreams(Layer::WholeMap));
-  // Waits also for data that needs no subscription.
-  if (basics(layers, false).pose) waiting_.insert(map::Stream::Pose);
-  if (layers.contains(Layer::Footprint) || layers.contains(Layer::ExpandedFootprint))
-    waiting_.insert(map::Stream::Model);
   session_.want(QStringLiteral("command"), all);
 }
 

@@ -78,15 +78,13 @@ tl::expected<void, QString> onTopic(QString& word, robot::TopicChoices& topics) 
   const auto split = word.indexOf(QLatin1Char('='));
   if (split < 0) return {};
   const QString topic = word.mid(split + 1).trimmed(), name = word.left(split).trimmed();
-  const auto every = scene::allLayers();
-  const auto layer = std::find_if(every.begin(), every.end(),
-                                  [&](scene::Layer one) { return scene::layerName(one) == name; });
+  const std::optional<scene::Layer> layer = scene::layerNamed(name);
   word = name;
-  if (layer == every.end()) return {};  // reported below
+  if (!layer) return {};  // reported below
   const std::optional<map::Stream> stream = scene::chosenStream(*layer);
   if (!stream) {
     QStringList choosable;
-    for (const scene::Layer one : every) {
+    for (const scene::Layer one : scene::allLayers()) {
       if (scene::chosenStream(one)) choosable << scene::layerName(one);
     }
     return tl::make_unexpected(Text::tr("--layers: \"%1\" has no choice of topic, only %2.")
@@ -99,13 +97,17 @@ tl::expected<void, QString> onTopic(QString& word, robot::TopicChoices& topics) 
   return {};
 }
 
+QStringList namesOfLayers() {
+  QStringList names;
+  for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
+  return names;
+}
+
 tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, robot::TopicChoices& topics) {
   using scene::Layer;
   // The layers that do not change from run to run.
-  if (args.isEmpty())
-    return std::set{Layer::Problems,  Layer::Grid,  Layer::Trail,
-                    Layer::Footprint, Layer::Robot, Layer::ScaleBar};
-  const auto every = scene::allLayers();
+  if (args.isEmpty()) return scene::layersIn(scene::LayerSet::Snapshot);
+  const auto& every = scene::allLayers();
   std::set<Layer> chosen;
   if (args == QLatin1String("all")) {
     std::copy_if(every.begin(), every.end(), std::inserter(chosen, chosen.end()),
@@ -113,16 +115,14 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, r
     return chosen;
   }
   if (args == QLatin1String("none")) return chosen;
-  QStringList known;
-  for (const Layer layer : every) known << scene::layerName(layer);
   for (QString word : args.split(QLatin1Char(','))) {
     if (const auto taken = onTopic(word, topics); !taken) return passOn(taken);
-    const auto position = known.indexOf(word.trimmed());
-    if (position < 0) {
+    const std::optional<Layer> layer = scene::layerNamed(word.trimmed());
+    if (!layer) {
       return tl::make_unexpected(Text::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
-                                     .arg(word, known.join(QLatin1String(", "))));
+                                     .arg(word, namesOfLayers().join(QLatin1String(", "))));
     }
-    chosen.insert(every[std::size_t(position)]);
+    chosen.insert(*layer);
   }
   return chosen;
 }
@@ -154,13 +154,16 @@ std::optional<QString> withoutEffectReason(const SnapshotArguments& args, const 
 }
 
 QString layersHelp() {
-  QStringList names;
-  for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
+  QStringList not_in_all;
+  for (const scene::Layer layer : scene::allLayers()) {
+    if (const char* const reason = scene::specOf(layer).not_in_all_reason)
+      not_in_all << Text::tr("%1, which %2")
+                        .arg(scene::layerName(layer), QCoreApplication::translate("scene", reason));
+  }
   return Text::tr(
-             "Layers, separated by commas: %1; or all (except track, which needs a whole bag, and "
-             "dispatched-cloud, which may be large); or none (only the map). NAME=TOPIC selects the topic "
-             "for a grid, path or target of a ROS robot")
-      .arg(names.join(QLatin1Char(',')));
+             "Layers, separated by commas: %1; or all (except %2); or none (only the map). NAME=TOPIC "
+             "selects the topic for a grid, path or target of a ROS robot")
+      .arg(namesOfLayers().join(QLatin1Char(',')), not_in_all.join(QLatin1String("; ")));
 }
 
 /// Called at the deadline if the run is not finished: reports it, also in the report.

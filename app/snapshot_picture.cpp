@@ -22,12 +22,9 @@ namespace {
 
 /// Of whole maps and costmaps.
 bool drawsGrids(const SnapshotOptions& options, const SnapshotContent& content) {
-  using scene::Layer;
   return content.whole || content.regions ||
-         std::any_of(options.layers.begin(), options.layers.end(), [](Layer layer) {
-           return layer == Layer::CostmapLow || layer == Layer::CostmapHigh || layer == Layer::Incremental ||
-                  layer == Layer::EnvMatch || layer == Layer::EnvSymmetry;
-         });
+         std::any_of(options.layers.begin(), options.layers.end(),
+                     [](scene::Layer layer) { return scene::specOf(layer).grid.has_value(); });
 }
 
 render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers, bool grids) {
@@ -77,7 +74,8 @@ class ScenePicture : public SnapshotPicture {
   QStringList notes() const override {
     QStringList of_robot;
     for (const scene::Layer layer : scene::allLayers()) {
-      if (scene_.layerVisible(layer) && scene::followsRobot(layer)) of_robot << scene::layerName(layer);
+      if (scene_.layerVisible(layer) && scene::specOf(layer).follows_robot)
+        of_robot << scene::layerName(layer);
     }
     if (of_robot.isEmpty() || !session_.robot().liveTopics()) return {};
     const scene::RobotPlace& place = scene_.robotPlace();

@@ -197,7 +197,8 @@ bool SnapshotRun::connected() {
   // A robot is drawn on the maps that it is in, which the catalogue tells.
   asks_where_ = !options_.raw && options_.wantsWhole() && options_.map &&
                 options_.map->kind != map::MapKind::Live && session_.robot().liveTopics() &&
-                std::any_of(options_.layers.begin(), options_.layers.end(), scene::followsRobot);
+                std::any_of(options_.layers.begin(), options_.layers.end(),
+                            [](scene::Layer layer) { return scene::specOf(layer).follows_robot; });
   if (asks_where_) session_.catalogue().refresh();
   if (options_.center_m && !region_ && wantsCloud()) askForCloud(view_.visibleWorld());
   if (options_.settle_s) settle_.start(milliseconds(*options_.settle_s));

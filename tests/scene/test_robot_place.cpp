@@ -26,7 +26,7 @@ const map::Polyline kLine{{-0.4, 0}, {0.4, 0}};
 
 std::vector<Layer> robotsLayers() {
   std::vector<Layer> layers = scene::allLayers();
-  std::erase_if(layers, [](Layer layer) { return !scene::followsRobot(layer); });
+  std::erase_if(layers, [](Layer layer) { return !scene::specOf(layer).follows_robot; });
   return layers;
 }
 

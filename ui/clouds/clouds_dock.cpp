@@ -117,7 +117,7 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
 
 void CloudsDock::buildLook(QVBoxLayout* column) {
   column->addWidget(cloudHeading(tr("Show"), body_));
-  const scene::LayerTraits traits = scene::layerTraits(scene::Layer::DispatchedCloud);
+  const scene::LayerTraits traits = scene::specOf(scene::Layer::DispatchedCloud).traits();
   auto* const form = new QFormLayout;
   color_ = new QComboBox(body_);
   color_->addItems(traits.choices);
@@ -233,7 +233,7 @@ void CloudsDock::setStyle(const scene::LayerStyle& style) {
   const QSignalBlocker quiet(size_);
   color_->setCurrentIndex(style.choice);
   size_->setValue(style.size > 0 ? style.size
-                                 : scene::layerTraits(scene::Layer::DispatchedCloud).default_size_px);
+                                 : scene::specOf(scene::Layer::DispatchedCloud).traits().default_size_px);
 }
 
 }  // namespace mapwright::window

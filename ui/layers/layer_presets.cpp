@@ -1,7 +1,6 @@
 #include "ui/layers/layer_presets.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <set>
 
 #include <QCoreApplication>
@@ -19,12 +18,11 @@ class LayerPresetsText {
 const QString kPresetsKey = QStringLiteral("layerPresets");
 const QString kNameKey = QStringLiteral("name");
 
-LayerPreset builtIn(const QString& name, std::initializer_list<Layer> shown,
-                    std::initializer_list<Layer> left_alone) {
+LayerPreset builtIn(const QString& name, scene::LayerSet set) {
   LayerPreset preset{name, true, {}};
   for (const Layer layer : scene::allLayers()) {
-    if (std::find(left_alone.begin(), left_alone.end(), layer) != left_alone.end()) continue;
-    preset.layers[layer].shown = std::find(shown.begin(), shown.end(), layer) != shown.end();
+    const scene::LayerSpec& spec = scene::specOf(layer);
+    if (!spec.left_alone.testFlag(set)) preset.layers[layer].shown = spec.sets.testFlag(set);
   }
   return preset;
 }
@@ -32,20 +30,11 @@ LayerPreset builtIn(const QString& name, std::initializer_list<Layer> shown,
 }  // namespace
 
 std::vector<LayerPreset> builtInPresets() {
-  using enum Layer;
-  std::vector<LayerPreset> presets{
-      builtIn(LayerPresetsText::tr("Navigation"),
-              {CostmapLow, Grid, Overlays, Waypoints, Landmarks, Doors, Boxes, Path, LocalPath, Target, Cloud,
-               NearbyRobots, Trail, ExpandedFootprint, Footprint, Robot, ScaleBar},
-              {WholeMap, Submaps, Regions, DispatchedCloud, Track}),
-      builtIn(LayerPresetsText::tr("Mapping"),
-              {Incremental, Grid, Landmarks, Constraints, Outlines, Ids, Trajectory, Cloud, Trail, Footprint,
-               Robot, ScaleBar},
-              {WholeMap, Submaps, Regions, DispatchedCloud, Track}),
-      builtIn(LayerPresetsText::tr("Map only"), {ScaleBar}, {WholeMap, Submaps, Regions, DispatchedCloud}),
-      builtIn(LayerPresetsText::tr("All"), {}, {})};
-  for (auto& [layer, look] : presets.back().layers) look.shown = true;
-  return presets;
+  LayerPreset all{LayerPresetsText::tr("All"), true, {}};
+  for (const Layer layer : scene::allLayers()) all.layers[layer].shown = true;
+  return {builtIn(LayerPresetsText::tr("Navigation"), scene::LayerSet::Navigation),
+          builtIn(LayerPresetsText::tr("Mapping"), scene::LayerSet::Mapping),
+          builtIn(LayerPresetsText::tr("Map only"), scene::LayerSet::MapOnly), all};
 }
 
 LayerPreset presetOf(const scene::MapScene& scene, const QString& name) {

@@ -72,7 +72,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   head->addWidget(eye_);
   head->addWidget(name_, 1);
   head->addWidget(opacity_);
-  if (scene::layerTraits(layer).any() || scene::chosenStream(layer)) {
+  if (scene::specOf(layer).traits().any() || scene::chosenStream(layer)) {
     settings_ = new QToolButton(this);
     settings_->setObjectName(QStringLiteral("settings-") + scene::layerName(layer));
     settings_->setCheckable(true);
@@ -142,7 +142,7 @@ void LayerRow::setTopics(const QStringList& choices, const QString& chosen, cons
 
 void LayerRow::syncSettings() {
   if (!settings_) return;
-  const bool any = scene::layerTraits(layer_).any() || !topics_.isEmpty() || !topic_.isEmpty();
+  const bool any = scene::specOf(layer_).traits().any() || !topics_.isEmpty() || !topic_.isEmpty();
   const bool offered = any && reason_.isEmpty();
   if (!offered) settings_->setChecked(false);
   settings_->setVisible(offered);
@@ -269,7 +269,7 @@ void OpacitySlider::follow(const QPointF& at) {
 
 LayerStyleEditor::LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     : QWidget(parent), scene_(scene), layer_(layer) {
-  const scene::LayerTraits traits = scene::layerTraits(layer);
+  const scene::LayerTraits traits = scene::specOf(layer).traits();
   auto* form = new QFormLayout(this);
   form->setContentsMargins(31, 2, 8, 6);
   form->setHorizontalSpacing(8);
@@ -355,7 +355,7 @@ void LayerStyleEditor::sync() {
   }
   if (size_) {
     const QSignalBlocker quiet(size_);
-    size_->setValue(style.size > 0 ? style.size : scene::layerTraits(layer_).default_size_px);
+    size_->setValue(style.size > 0 ? style.size : scene::specOf(layer_).traits().default_size_px);
   }
   if (choice_) choice_->setCurrentIndex(style.choice);
 }

@@ -24,7 +24,7 @@ QString topicsKey(const QString& address) {
 }
 
 scene::LayerStyle readStyle(const QSettings& settings, Layer layer) {
-  const scene::LayerTraits traits = scene::layerTraits(layer);
+  const scene::LayerTraits traits = scene::specOf(layer).traits();
   scene::LayerStyle style;
   if (traits.color) {
     const QColor color(settings.value(key(layer, "color")).toString());

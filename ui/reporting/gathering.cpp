@@ -32,12 +32,6 @@ constexpr double kAroundM = 6, kMostAroundM = 40, kPictureMarginPx = 40;
 constexpr double kDotsPerMeter = 96 / 0.0254;  // whatever screen there is
 constexpr std::size_t kLongestMessage = 4096;
 
-const std::set<scene::Layer> kLayers{
-    scene::Layer::Grid,  scene::Layer::Overlays,     scene::Layer::Landmarks, scene::Layer::Doors,
-    scene::Layer::Boxes, scene::Layer::Path,         scene::Layer::LocalPath, scene::Layer::Target,
-    scene::Layer::Cloud, scene::Layer::NearbyRobots, scene::Layer::Trail,     scene::Layer::Footprint,
-    scene::Layer::Robot, scene::Layer::ScaleBar};
-
 session::Session::Options optionsOf(std::shared_ptr<work::Workers> workers) {
   session::Session::Options options;
   options.workers = std::move(workers);
@@ -77,7 +71,8 @@ Gathering::Gathering(std::unique_ptr<robot::Robot> origin, Wanted wanted,
             session_.reset(world);
           });
   map::Streams streams;
-  for (const scene::Layer layer : kLayers) streams.merge(scene::layerStreams(layer));
+  for (const scene::Layer layer : scene::layersIn(scene::LayerSet::Report))
+    streams.merge(scene::layerStreams(layer));
   session_.want(QStringLiteral("incident"), streams);
   connect(&poll_, &QTimer::timeout, this, &Gathering::look);
 }
@@ -326,7 +321,7 @@ void Gathering::draw() {
   options.previews = false;
   scene_ = std::make_unique<scene::MapScene>(std::move(options));
   scene_->setTheme(scene::lightMapTheme());
-  std::set<scene::Layer> layers = kLayers;
+  std::set<scene::Layer> layers = scene::layersIn(scene::LayerSet::Report);
   if (whole) layers.insert(scene::Layer::WholeMap);
   if (session_.world().submaps) layers.insert(scene::Layer::Submaps);
   scene_->setLayersVisible(layers);

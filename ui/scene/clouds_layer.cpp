@@ -5,10 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <QCoreApplication>
-
 #include "clouds/draw_cloud.h"
-#include "scene/layer_item.h"
 #include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
@@ -98,6 +95,31 @@ class CloudsLayer : public DeviceLayer {
   render::PaintedTiles tiles_;
 };
 
+void cloudsLegend(Legend& legend) {
+  const auto ramp = [&](const QString& low, const QString& high) {
+    std::vector<QColor> colors;
+    for (const std::uint32_t shade : clouds::shades()) colors.emplace_back(QRgb(shade | 0xff000000));
+    legend.addScale(low, high, colors);
+  };
+  switch (DispatchedCloudChoice(legend.style().choice)) {
+    case DispatchedCloudChoice::Height:
+      return ramp(LegendText::tr("low"), LegendText::tr("high"));
+    case DispatchedCloudChoice::Intensity:
+      return ramp(LegendText::tr("weak"), LegendText::tr("strong echo"));
+    case DispatchedCloudChoice::Rgb:
+      return;  // their own colours need no words
+    case DispatchedCloudChoice::OneColor:
+      break;
+  }
+  const QColor own = legend.style().color;
+  const QColor color = own.isValid() ? own : legend.theme().cloud;
+  legend.add(LegendText::tr("Point of the map"), [&](QPainter& painter, const QRectF& room) {
+    for (double x = 5; x < room.width(); x += 9) {
+      for (double y = 3; y < room.height(); y += 7) painter.fillRect(QRectF(x, y, 2, 2), color);
+    }
+  });
+}
+
 }  // namespace
 
 std::optional<CloudScale> cloudScale(const clouds::CloudStore& clouds, const LayerStyle& style,
@@ -134,8 +156,10 @@ template <>
 LayerSpec layerSpec<Layer::DispatchedCloud>() {
   return {.name = "dispatched-cloud",
           .title = QT_TRANSLATE_NOOP("scene", "Point cloud of the map"),
+          .left_alone = LayerSet::Navigation | LayerSet::Mapping | LayerSet::MapOnly,
           .follows_robot = false,
-          .in_all = false,  // its size is not known in advance
+          .in_all = false,
+          .not_in_all_reason = QT_TRANSLATE_NOOP("scene", "may be large"),
           .in_fit = true,
           .traits =
               [] {

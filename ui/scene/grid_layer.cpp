@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/layer_item.h"
 #include "scene/legend.h"
 #include "scene/lengths.h"
 
@@ -105,6 +104,18 @@ class GridLayer : public LayerItem {
   LineSheet sheet_;
 };
 
+void gridLegend(Legend& legend) {
+  const auto add = [&](const QString& text, const QColor& color) {
+    legend.add(text, [&](QPainter& painter, const QRectF& room) {
+      painter.fillRect(QRectF(0, room.center().y(), room.width(), 1), color);
+      painter.fillRect(QRectF(room.center().x(), 0, 1, room.height()), color);
+    });
+  };
+  add(LegendText::tr("Grid line"), legend.theme().grid_minor);
+  add(LegendText::tr("Line of the coarse grid"), legend.theme().grid_major);
+  add(LegendText::tr("Axes: x = 0 and y = 0"), legend.theme().axis);
+}
+
 }  // namespace
 
 GridSteps gridSteps(const geometry::ViewTransform& view) {
@@ -130,6 +141,7 @@ LayerSpec layerSpec<Layer::Grid>() {
   return {.name = "grid",
           .title = QT_TRANSLATE_NOOP("scene", "Grid"),
           .group = LayerGroup::Annotations,
+          .sets = LayerSet::Navigation | LayerSet::Mapping | LayerSet::Report | LayerSet::Snapshot,
           .follows_robot = false,
           .why_empty = neverEmpty,
           .items = oneItem<GridLayer>,

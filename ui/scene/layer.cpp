@@ -1,5 +1,8 @@
 #include "scene/layer.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <QCoreApplication>
 
 #include "robot/robot.h"
@@ -21,7 +24,20 @@ const std::vector<Layer>& allLayers() {
   return layers;
 }
 
+std::set<Layer> layersIn(LayerSet set) {
+  std::set<Layer> layers;
+  std::copy_if(allLayers().begin(), allLayers().end(), std::inserter(layers, layers.end()),
+               [set](Layer layer) { return specOf(layer).sets.testFlag(set); });
+  return layers;
+}
+
 QString layerName(Layer layer) { return QString::fromLatin1(specOf(layer).name); }
+
+std::optional<Layer> layerNamed(const QString& name) {
+  const auto found = std::find_if(allLayers().begin(), allLayers().end(),
+                                  [&](Layer layer) { return layerName(layer) == name; });
+  return found == allLayers().end() ? std::nullopt : std::optional(*found);
+}
 
 QString layerTitle(Layer layer) { return QCoreApplication::translate("scene", specOf(layer).title); }
 
@@ -55,14 +71,10 @@ QString groupTitle(LayerGroup group) {
 
 map::Streams layerStreams(Layer layer) { return specOf(layer).streams; }
 
-bool followsRobot(Layer layer) { return specOf(layer).follows_robot; }
-
 std::optional<map::Stream> chosenStream(Layer layer) {
   const LayerSpec& spec = specOf(layer);
   return spec.topic_chosen ? std::optional(*spec.streams.begin()) : std::nullopt;
 }
-
-LayerTraits layerTraits(Layer layer) { return specOf(layer).traits(); }
 
 LayerTraits lineTraits(double width_px) {
   return {.color = true,

@@ -1,7 +1,9 @@
 // The layers of the map. Everything about one stands in its own file, except its row here.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <QColor>
@@ -10,6 +12,9 @@
 
 #include "map/stream.h"
 
+namespace mapwright::map {
+enum class GridKind;
+}
 namespace mapwright::robot {
 class Robot;
 }
@@ -80,8 +85,17 @@ enum class LayerGroup { Robot, Environment, Annotations, Map };
 inline constexpr LayerGroup kLayerGroups[] = {LayerGroup::Robot, LayerGroup::Environment,
                                               LayerGroup::Annotations, LayerGroup::Map};
 
+/// The sets of layers that are built in: presets of the window, the picture of a report, a snapshot without
+/// `--layers`.
+enum class LayerSet { Navigation = 1, Mapping = 2, MapOnly = 4, Report = 8, Snapshot = 16 };
+Q_DECLARE_FLAGS(LayerSets, LayerSet)
+Q_DECLARE_OPERATORS_FOR_FLAGS(LayerSets)
+
 class LayerItem;
 struct LayerContext;
+struct LayerObjects;
+struct LegendSample;
+enum class ObjectForm;
 class Legend;
 
 /// Why a robot has no data for a layer, as a sentence; empty if it has.
@@ -97,19 +111,32 @@ struct LayerSpec {
   const char* title;  // for display, short; in the translation context "scene"
   LayerGroup group = LayerGroup::Map;
   bool shown = true;             // at first
+  LayerSets sets = {};           // those that show it; presets hide it otherwise
+  LayerSets left_alone = {};     // presets that neither show nor hide it
   map::Streams streams = {};     // the data that it needs from a robot, besides what is always on
+  map::Streams always_on = {};   // what it needs of that: a snapshot waits for it
   std::vector<int> topics = {};  // map::topicIndex() of the messages that change what it shows
   /// It shows the robot's state, sensor data or plans: it is meaningless on a map that the robot is not in.
   /// (The open map's own landmarks and trajectories stay.)
   bool follows_robot = true;
   bool topic_chosen = false;  // the user may choose from which topic its data comes
-  bool in_all = true;         // part of "--layers all"
-  bool order_fixed = false;   // its position in the order is
-  bool in_fit = false;        // what it holds belongs into the view that shows everything, as maps do
+  /// It changes many times a second: layers above the lowest such layer are painted without a kept picture.
+  bool lively = false;
+  bool shows_submaps = false;               // it changes with the submaps
+  bool in_all = true;                       // part of "--layers all"
+  const char* not_in_all_reason = nullptr;  // for its help; null: other options decide about the layer
+  bool order_fixed = false;                 // its position in the order is
+  bool in_fit = false;  // what it holds belongs into the view that shows everything, as maps do
   LayerTraits (*traits)() = [] { return LayerTraits(); };
   WhyEmpty why_empty = noLiveDataReason;
+  /// The grid of the robot that it shows; drawn by RasterStack.
+  std::optional<map::GridKind> grid = {};
   /// The graphics items that draw it, bottom first; null: RasterStack makes them.
   std::vector<LayerItem*> (*items)(const LayerContext& context) = nullptr;
+  /// The things that it shows, one by one (scene/layer_objects.h); null: none that can be told apart.
+  const LayerObjects* objects = nullptr;
+  /// One thing, made up, that looks as MapObject::look says: for the legend, cards and lists.
+  void (*sample)(LegendSample& sample, ObjectForm form, std::int64_t look) = nullptr;
   /// What its colours and shapes mean (scene/legend.h); null: nothing that needs to be said.
   void (*legend)(Legend& legend) = nullptr;
 };
@@ -126,15 +153,15 @@ MAPWRIGHT_LAYERS(MAPWRIGHT_LAYER)
 const LayerSpec& specOf(Layer layer);
 /// The default order, bottom first.
 const std::vector<Layer>& allLayers();
+std::set<Layer> layersIn(LayerSet set);
 QString layerName(Layer layer);
+std::optional<Layer> layerNamed(const QString& name);
 QString layerTitle(Layer layer);
 QString groupName(LayerGroup group);  // for settings
 QString groupTitle(LayerGroup group);
 map::Streams layerStreams(Layer layer);
-bool followsRobot(Layer layer);
 /// The kind of data whose topic can be chosen; nullopt: no choice.
 std::optional<map::Stream> chosenStream(Layer layer);
-LayerTraits layerTraits(Layer layer);
 /// Of a layer that consists of lines.
 LayerTraits lineTraits(double width_px);
 

@@ -62,6 +62,22 @@ void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vect
   painter.drawEllipse(at, kPlacePx, kPlacePx);
 }
 
+void drawHaloedLine(QPainter& painter, const LayerContext& context, const QColor& color, double width_px,
+                    std::span<const Eigen::Vector2d> world_m, const QRectF& exposed) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  const QPainterPath lines = pathOf(visibleLines(context.view, world_m, width_px + 2, exposed));
+  for (const auto& [pen_color, pen_width] :
+       {std::pair(context.theme.text_halo, width_px + 2), std::pair(color, width_px)}) {
+    painter.setPen(QPen(pen_color, pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(lines);
+  }
+}
+
+void keepSmallClear(LabelCollector& labels, const QRectF& area, double largest_px) {
+  if (std::max(area.width(), area.height()) <= largest_px) labels.symbol(area);
+}
+
 void keepClear(LabelCollector& labels, const LayerContext& context, const QRectF& mark,
                std::optional<double> yaw_rad) {
   labels.symbol(mark);

@@ -16,6 +16,7 @@
 #include <QStyleOptionGraphicsItem>
 
 #include "clouds/cloud_store.h"
+#include "geometry/rect.h"
 #include "geometry/view_transform.h"
 #include "map/grid_reference.h"
 #include "map/live_state.h"
@@ -118,6 +119,11 @@ void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& 
 /// A place: a dot with a tick along its heading.
 void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
                std::optional<double> yaw_rad, const QColor& color);
+/// A line through the world with a halo. `exposed`: see visibleLines().
+void drawHaloedLine(QPainter& painter, const LayerContext& context, const QColor& color, double width_px,
+                    std::span<const Eigen::Vector2d> world_m, const QRectF& exposed);
+/// A small area is a symbol; a large one is ground on which something lies.
+void keepSmallClear(LabelCollector& labels, const QRectF& area, double largest_px = 120);
 /// The area of a round symbol, and of its tick, if it has one.
 void keepClear(LabelCollector& labels, const LayerContext& context, const QRectF& mark,
                std::optional<double> yaw_rad);
@@ -150,9 +156,11 @@ class LayerItem : public QGraphicsItem {
   /// nullopt: it shows no features of a map.
   std::optional<FeaturesOf> of() const { return of_; }
 
-  virtual void viewMoved() {}                    // the camera
-  virtual void lookChanged() { update(); }       // the style or the theme
-  virtual void liveChanged() { update(); }       // a message of the layer's topics has arrived
+  virtual void viewMoved() {}               // the camera
+  virtual void lookChanged() { update(); }  // the style or the theme
+  virtual void liveChanged() { update(); }  // a message of the layer's topics has arrived
+  /// The robot's pose or its model has changed: where it was drawn, and where it is to be drawn.
+  virtual void robotMoved(const QRectF& /*from*/, const QRectF& /*to*/) {}
   virtual void setActive(bool /*active*/) {}     // makes pictures in the background: only while it is visible
   virtual bool settled() const { return true; }  // shows everything that is known
   virtual std::size_t cacheBytes() const { return 0; }
@@ -253,5 +261,27 @@ QColor waypointColor(const MapTheme& theme, WaypointMark mark);
 
 /// The viewport rectangle of the robot and its footprints, to limit repaints.
 QRectF robotRect(const LayerContext& context);
+
+/// A point that is not finite adds nothing.
+inline void extendBy(geometry::WorldRect& bounds, const Eigen::Vector2d& point) {
+  if (point.allFinite()) bounds.extend(point);
+}
+
+template <class Points>
+geometry::WorldRect boundsOf(const Points& points) {
+  geometry::WorldRect bounds;
+  for (const Eigen::Vector2d& point : points) extendBy(bounds, point);
+  return bounds;
+}
+
+/// Of the submaps that are shown.
+inline geometry::WorldRect boundsOf(const Outlines& outlines) {
+  geometry::WorldRect bounds;
+  for (const auto& [id, outline] : outlines) {
+    if (!outline.visible) continue;
+    for (const Eigen::Vector2d& corner : outline.corners) extendBy(bounds, corner);
+  }
+  return bounds;
+}
 
 }  // namespace mapwright::scene

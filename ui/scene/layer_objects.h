@@ -2,8 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
+
+#include <QCoreApplication>
 
 #include "scene/layer_item.h"
 #include "scene/map_object.h"
@@ -19,18 +23,47 @@ namespace mapwright::scene {
 using ObjectParts = std::span<const std::span<const Eigen::Vector2d>>;
 using SeeObject = std::function<void(std::size_t number, ObjectForm form, ObjectParts parts)>;
 
+/// For LayerObjects::key: it has no id and no name.
+std::string noKey(const LayerContext& context, FeaturesOf of, std::size_t number);
+
 /// The things of a layer, numbered. The numbers hold until its data changes.
 struct LayerObjects {
   void (*visit)(const LayerContext& context, FeaturesOf of, const SeeObject& see);
-  std::string (*key)(const LayerContext& context, FeaturesOf of, std::size_t number);
   /// All but `id`, `form` and `parts`, which follow from visit() and key().
   MapObject (*describe)(const LayerContext& context, FeaturesOf of, std::size_t number);
+  std::string (*key)(const LayerContext& context, FeaturesOf of, std::size_t number) = noKey;
   /// Listed; points of sensors and thousands of segments are not.
   bool listed = true;
 };
 
-/// Null: the layer has no things that can be told apart.
-const LayerObjects* objectsOf(Layer layer);
+class ObjectText {
+  Q_DECLARE_TR_FUNCTIONS(MapObject)
+};
+
+void seePoint(const SeeObject& see, std::size_t number, const Eigen::Vector2d& at);
+void seePart(const SeeObject& see, std::size_t number, ObjectForm form,
+             std::span<const Eigen::Vector2d> part);
+template <class Thing>
+void seePoints(const std::vector<Thing>& things, const SeeObject& see) {
+  for (std::size_t i = 0; i < things.size(); ++i) seePoint(see, i, things[i].position_m);
+}
+/// A polyline that is the whole layer.
+void seeLine(std::span<const Eigen::Vector2d> line, const SeeObject& see);
+MapObject oneLine(const QString& kind, std::size_t points, int topic);
+
+QString metres(double value);
+
+/// A property is added if it is known.
+class Properties {
+ public:
+  Properties& add(const QString& name, const QString& value);
+  Properties& add(const QString& name, const std::string& value);
+  Properties& add(const QString& name, std::optional<bool> value);
+  operator std::vector<ObjectProperty>() const { return rows_; }
+
+ private:
+  std::vector<ObjectProperty> rows_;
+};
 
 class SceneItems;
 

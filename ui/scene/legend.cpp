@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include <QCoreApplication>
 #include <QLinearGradient>
 #include <QPainterPath>
 
@@ -16,10 +15,6 @@
 
 namespace mapwright::scene {
 namespace {
-
-class LegendText {
-  Q_DECLARE_TR_FUNCTIONS(Legend)
-};
 
 LegendSection differenceLegend(const Legend::Source& source) {
   const bool earlier = source.session && source.session->comparedMap().showsEarlierState();
@@ -124,7 +119,9 @@ void Legend::addScale(const QString& low, const QString& high, std::span<const Q
 }
 
 Legend::Paint Legend::byThing(ObjectForm form, std::int64_t look) const {
-  return bySample([this, form, look](LegendSample& sample) { fillSample(sample, layer_, form, look); });
+  return bySample([this, form, look](LegendSample& sample) {
+    if (const auto fill = specOf(layer_).sample) fill(sample, form, look);
+  });
 }
 
 void Legend::addThing(const QString& text, ObjectForm form, std::int64_t look) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <QCoreApplication>
 #include <QPainter>
 
 #include "map/live_state.h"
@@ -27,16 +28,17 @@ struct LegendSample {
   static Eigen::Vector2d at(double right_px, double up_px) { return {right_px * kMPerPx, up_px * kMPerPx}; }
   static std::vector<Eigen::Vector2d> box(double half_width_px, double half_height_px);
   /// From the middle to the left and right, with some air.
-  double reachPx() const;
+  double reachPx() const { return context.view.width_px / 2.0 - 4; }
+  /// As far as that.
+  std::vector<Eigen::Vector2d> line() const { return {at(-reachPx(), 0), at(reachPx(), 0)}; }
+  std::vector<Eigen::Vector2d> wideBox(double half_height_px) const {
+    return box(reachPx() - 1, half_height_px);
+  }
 };
 
-// What of a thing tells how it looks: MapObject::look.
-inline constexpr std::int64_t kOpenDoor = 0, kClosedDoor = 1, kOtherDoor = 2;
-std::int64_t whichLook(const DrawnWaypoint& point);
-std::int64_t whichLook(const map::AutoDoor& door);
-std::int64_t whichLook(const map::GroundBox& box);
-/// A thing of the layer that looks as MapObject::look says.
-void fillSample(LegendSample& sample, Layer layer, ObjectForm form, std::int64_t look);
+class LegendText {
+  Q_DECLARE_TR_FUNCTIONS(Legend)
+};
 
 /// Collects the rows of one layer.
 class Legend {
@@ -91,29 +93,5 @@ class Legend {
 void addCells(Legend& legend, const render::MapColors& colors);
 /// A colour of a palette, which is premultiplied.
 QColor cellColor(std::uint32_t premultiplied);
-
-// Of the layers that need no data for it (feature_legends.cpp, live_legends.cpp, map_legends.cpp).
-void overlaysLegend(Legend& legend);
-void waypointsLegend(Legend& legend);
-void landmarksLegend(Legend& legend);
-void doorsLegend(Legend& legend);
-void boxesLegend(Legend& legend);
-void constraintsLegend(Legend& legend);
-void trajectoryLegend(Legend& legend);
-void pathLegend(Legend& legend);
-void localPathLegend(Legend& legend);
-void targetLegend(Legend& legend);
-void lidarLegend(Legend& legend);
-void nearbyRobotsLegend(Legend& legend);
-void trailLegend(Legend& legend);
-void footprintLegend(Legend& legend);
-void expandedFootprintLegend(Legend& legend);
-void robotLegend(Legend& legend);
-void trackLegend(Legend& legend);
-void submapsLegend(Legend& legend);
-void outlinesLegend(Legend& legend);
-void idsLegend(Legend& legend);
-void gridLegend(Legend& legend);
-void cloudsLegend(Legend& legend);
 
 }  // namespace mapwright::scene

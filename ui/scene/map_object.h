@@ -50,7 +50,7 @@ struct MapObject {
   Eigen::Vector2d at_m{0, 0};              // world; the middle of a line or an area
   std::optional<double> yaw_rad;           // world, counter-clockwise
   std::vector<map::Polyline> parts;        // its lines, or its rings; none for a point
-  std::int64_t look = 0;                   // which of its layer's looks (legend_samples.cpp)
+  std::int64_t look = 0;                   // which of its layer's looks (LayerSpec::sample)
   std::vector<ObjectProperty> properties;  // what else is known, most important first
   int topic = -1;                          // map::topicIndex() of the message that it comes from; -1 = none
 

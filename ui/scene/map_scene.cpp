@@ -91,8 +91,9 @@ void MapScene::paintContentSoon() {
 }
 
 void MapScene::paintContent() {
-  for (const Layer layer : {Layer::Submaps, Layer::Problems, Layer::Outlines, Layer::Ids})
-    items_->update(layer);
+  for (const Layer layer : allLayers()) {
+    if (specOf(layer).shows_submaps) items_->update(layer);
+  }
   if (!items_->context.highlighted.empty()) items_->highlight->update();
 }
 
@@ -360,23 +361,9 @@ void MapScene::onLive(int what) {
   if (what == topicIndex<map::TrackedPose>() && items.context.live->robot_pose == items.robot_pose) {
     // The robot's pose is repeated all the time.
   } else if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
-    const std::array moved{&items.first(Layer::Robot), &items.first(Layer::Footprint),
-                           &items.first(Layer::ExpandedFootprint)};
-    for (LayerItem* item : moved) item->update(items.robot_rect);
-    items.robot_rect = robotRect(items.context);
+    const QRectF before = std::exchange(items.robot_rect, robotRect(items.context));
     items.robot_pose = items.context.live->robot_pose;
-    for (LayerItem* item : moved) item->update(items.robot_rect);
-    const std::size_t length = items.context.live->trail.size();
-    if (length != std::exchange(items.trail_length, length))
-      items.first(Layer::Trail).update(items.robot_rect);
-    const map::LiveState& live = *items.context.live;
-    for (const map::BoxGroup& group : map::boxGroups(live)) {
-      if (!std::any_of(group.boxes->begin(), group.boxes->end(),
-                       [](const map::GroundBox& box) { return box.in_robot_frame; }))
-        continue;
-      items.first(Layer::Boxes).liveChanged();
-      break;
-    }
+    for (LayerItem* item : items.all) item->robotMoved(before, items.robot_rect);
   } else if (what == topicIndex<map::MapInfo>()) {
     syncPlace();
   } else if (what == topicIndex<map::SlamStatus>()) {
@@ -391,7 +378,6 @@ void MapScene::onLive(int what) {
 }
 
 void MapScene::onFrame() {
-  items_->trail_length = 0;
   items_->robot_rect = robotRect(items_->context);
   items_->robot_pose = items_->context.live->robot_pose;
   syncFeatures();
@@ -400,9 +386,8 @@ void MapScene::onFrame() {
 
 void MapScene::syncFeatures() {
   items_->setFeatures(session_);
-  for (const Layer layer :
-       {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory, Layer::Problems}) {
-    items_->update(layer);
+  for (LayerItem* item : items_->all) {
+    if (item->of()) item->update();
   }
 }
 

@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <unordered_set>
 
+#include <QFontMetricsF>
 #include <QHashFunctions>
 
-#include "scene/layer_bounds.h"
-#include "scene/layer_item.h"
 #include "scene/legend.h"
 
 namespace mapwright::scene {
@@ -74,6 +73,33 @@ class IdsLayer : public LayerItem {
   geometry::WorldRect contentBounds() const override { return boundsOf(context_.outlines); }
 };
 
+void sampleOutline(LegendSample& sample, ObjectForm, std::int64_t look) {
+  const auto box = sample.wideBox(7);
+  Outline& outline = sample.context.outlines[{}];
+  std::copy(box.begin(), box.end(), outline.corners.begin());
+  outline.frozen = look != 0;
+}
+
+void outlinesLegend(Legend& legend) {
+  legend.addThing(LegendText::tr("Submap"), ObjectForm::Area, 0);
+  legend.addThing(LegendText::tr("Frozen submap"), ObjectForm::Area, 1);
+}
+
+void idsLegend(Legend& legend) {
+  // Labels are drawn above all layers: the sample is one of them.
+  const auto add = [&](const QString& text, bool visible) {
+    legend.add(text, [&, visible](QPainter& painter, const QRectF& room) {
+      const QString id = QString::fromStdString(map::toText(map::SubmapId{0, 12}));
+      const QFontMetricsF metrics(legend.theme().label_font);
+      const QPointF corner = room.center() - QPointF(metrics.horizontalAdvance(id), metrics.height()) / 2;
+      drawLabel(painter, corner + QPointF(0, metrics.ascent()), id, legend.theme(),
+                translucent(legend.theme().text, visible ? 255 : 170), !visible);
+    });
+  };
+  add(LegendText::tr("Trajectory and number of a submap"), true);
+  add(LegendText::tr("Submap that you have hidden"), false);
+}
+
 }  // namespace
 
 bool Outline::contains(const Eigen::Vector2d& p) const {
@@ -127,8 +153,11 @@ LayerSpec layerSpec<Layer::Outlines>() {
   return {.name = "outlines",
           .title = QT_TRANSLATE_NOOP("scene", "Outlines"),
           .shown = false,
+          .sets = LayerSet::Mapping,
+          .shows_submaps = true,
           .why_empty = noSubmapsReason,
           .items = oneItem<OutlinesLayer>,
+          .sample = sampleOutline,
           .legend = outlinesLegend};
 }
 
@@ -137,6 +166,8 @@ LayerSpec layerSpec<Layer::Ids>() {
   return {.name = "ids",
           .title = QT_TRANSLATE_NOOP("scene", "Submap ids"),
           .shown = false,
+          .sets = LayerSet::Mapping,
+          .shows_submaps = true,
           .why_empty = noSubmapsReason,
           .items = oneItem<IdsLayer>,
           .legend = idsLegend};

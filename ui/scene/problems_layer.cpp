@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QPainterPath>
 
-#include "scene/layer_item.h"
+#include "map/live_topics.h"
+#include "scene/layer_objects.h"
+#include "scene/legend.h"
 
 namespace mapwright::scene {
 namespace {
@@ -264,13 +265,44 @@ std::vector<LayerItem*> problemItems(const LayerContext& context) {
 
 }  // namespace
 
+ObjectId idOf(const ProblemMark& mark) {
+  const QString key =
+      QStringLiteral("%1 %2 %3")
+          .arg(QString::number(mark.at_m.x(), 'g', 17), QString::number(mark.at_m.y(), 'g', 17), mark.title);
+  return {Layer::Problems, FeaturesOf::Robot, key.toStdString(), 0};
+}
+
+std::optional<Eigen::Vector2d> placeOfMark(const ObjectId& id) {
+  if (id.layer != Layer::Problems) return std::nullopt;
+  const QStringList words = QString::fromStdString(id.key).split(QLatin1Char(' '));
+  return words.size() < 3 ? std::nullopt
+                          : std::optional(Eigen::Vector2d(words[0].toDouble(), words[1].toDouble()));
+}
+
+MapObject problemObject(const ProblemMark& mark) {
+  MapObject object;
+  object.id = idOf(mark);
+  object.kind = ObjectText::tr("Missing");
+  object.name = mark.title;
+  object.at_m = mark.at_m;
+  object.look = std::int64_t(mark.kind);
+  object.properties = Properties().add(ObjectText::tr("Why"), mark.reason);
+  if (mark.submap) object.topic = map::topicIndex<map::SubmapList>();
+  return object;
+}
+
 template <>
 LayerSpec layerSpec<Layer::Problems>() {
   return {.name = "problems",
           .title = QT_TRANSLATE_NOOP("scene", "What is missing"),
+          .sets = LayerSet::Snapshot,
           .follows_robot = false,
+          .shows_submaps = true,
           .why_empty = neverEmpty,
-          .items = problemItems};
+          .items = problemItems,
+          .sample = [](LegendSample& sample, ObjectForm, std::int64_t look) {
+            sample.context.submap_marks->put({}, {MarkKind(look), LegendSample::at(0, 0)});
+          }};
 }
 
 }  // namespace mapwright::scene

@@ -1,42 +1,11 @@
 #include "scene/raster_stack.h"
 
 #include <algorithm>
-#include <array>
-
-#include <QCoreApplication>
 
 #include "render/grid_palettes.h"
-#include "robot/robot.h"
-#include "scene/legend.h"
-#include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
 namespace {
-
-using map::GridKind;
-
-constexpr std::array<std::pair<Layer, GridKind>, 5> kGridLayers{
-    {{Layer::Incremental, GridKind::Incremental},
-     {Layer::EnvMatch, GridKind::EnvMatch},
-     {Layer::EnvSymmetry, GridKind::EnvSymmetry},
-     {Layer::CostmapLow, GridKind::CostmapLow},
-     {Layer::CostmapHigh, GridKind::CostmapHigh}}};
-
-render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, const MapTheme& theme) {
-  if (!grid.picture.palette.empty()) return render::ownPalette(grid.picture.palette);
-  const grids::GridPyramid& cells = *grid.picture.indices;
-  const bool occupancy = cells.code() == grids::CellCode::Occupancy;
-  switch (kind) {
-    case GridKind::Incremental:
-      return render::incrementalPalette(theme.map, cells.code());
-    case GridKind::EnvMatch:
-    case GridKind::EnvSymmetry:
-      return render::matchPalette(render::commonestByte(cells));
-    default:
-      return occupancy ? render::occupancyCostPalette()
-                       : render::costmapPalette(render::commonestByte(cells));
-  }
-}
 
 /// Like a whole map, but unknown cells are opaque: they must differ from what was not fetched.
 render::GridPalette regionsPalette(const render::MapColors& colors) {
@@ -46,65 +15,6 @@ render::GridPalette regionsPalette(const render::MapColors& colors) {
     if (!meaning.known[byte]) palette[byte] = byte == regions::kNotFetched ? 0 : colors.unknown;
   }
   return palette;
-}
-
-class RasterLegendText {
-  Q_DECLARE_TR_FUNCTIONS(RasterLegend)
-};
-
-/// The colours of some bytes of a palette.
-std::vector<QColor> cellColors(const render::GridPalette& palette, std::size_t from, std::size_t to) {
-  std::vector<QColor> colors;
-  for (std::size_t byte = from; byte <= to; ++byte) colors.push_back(cellColor(palette[byte]));
-  return colors;
-}
-
-void incrementalLegend(Legend& legend) {
-  legend.addCell(RasterLegendText::tr("Free"), QColor(legend.theme().map.incremental_free));
-  legend.addCell(RasterLegendText::tr("Occupied"), QColor(legend.theme().map.incremental_occupied));
-}
-
-void matchLegend(Legend& legend) {
-  legend.addScale(RasterLegendText::tr("differs"), RasterLegendText::tr("matches"),
-                  cellColors(render::matchPalette(0), 1, 255));
-}
-
-/// The colours depend on how this robot sends its costs: nothing is said before the first have come.
-template <GridKind kind>
-void costmapLegend(Legend& legend) {
-  const session::LayerGrid* const grid =
-      legend.session() ? legend.session()->layerGrids().find(kind) : nullptr;
-  if (!grid) return;
-  const QString low = RasterLegendText::tr("low"), high = RasterLegendText::tr("high cost");
-  const QString obstacle = RasterLegendText::tr("Obstacle");
-  if (!grid->picture.palette.empty()) {
-    const render::GridPalette own = render::ownPalette(grid->picture.palette);
-    legend.addScale({}, {}, cellColors(own, 0, std::min<std::size_t>(grid->picture.palette.size(), 256) - 1),
-                    RasterLegendText::tr("Colours of the robot"));
-  } else if (grid->picture.indices->code() == grids::CellCode::Occupancy) {
-    const render::GridPalette palette = render::occupancyCostPalette();
-    legend.addScale(low, high, cellColors(palette, 1, 98));
-    legend.addCell(RasterLegendText::tr("Too close for the robot's centre"), cellColor(palette[99]));
-    legend.addCell(obstacle, cellColor(palette[100]));
-  } else {
-    const render::GridPalette palette = render::costmapPalette(0);
-    legend.addScale(low, high, cellColors(palette, 1, 246));
-    legend.addCell(obstacle, cellColor(palette[255]));
-  }
-}
-
-LayerSpec costmapSpec(const char* name, const char* title, map::Stream stream, void (*legend)(Legend&)) {
-  return {.name = name,
-          .title = title,
-          .group = LayerGroup::Environment,
-          .shown = false,
-          .streams = {stream},
-          .topic_chosen = true,
-          .legend = legend};
-}
-
-LayerSpec gridSpec(const char* name, const char* title, map::Stream stream, void (*legend)(Legend&)) {
-  return {.name = name, .title = title, .shown = false, .streams = {stream}, .legend = legend};
 }
 
 }  // namespace
@@ -130,7 +40,9 @@ RasterStack::RasterStack(const LayerContext& context)
       overview_(new RasterLayer(context)),
       compared_(new RasterLayer(context)),
       difference_(new RasterLayer(context)) {
-  for (const auto& [layer, kind] : kGridLayers) grids_[kind] = new RasterLayer(context);
+  for (const Layer layer : allLayers()) {
+    if (const auto kind = specOf(layer).grid) grids_[*kind] = new RasterLayer(context);
+  }
   for (RasterLayer*& sheet : region_sheets_) {
     sheet = new RasterLayer(context);
     sheet->renderer().setPalette(regionsPalette(context.theme.map));
@@ -142,9 +54,7 @@ std::vector<RasterLayer*> RasterStack::itemsOf(Layer layer) const {
   if (layer == Layer::Reference) return {reference_};
   if (layer == Layer::WholeMap) return {whole_};
   if (layer == Layer::Regions) return {region_sheets_.begin(), region_sheets_.end()};
-  for (const auto& [raster, kind] : kGridLayers) {
-    if (raster == layer) return {grids_.at(kind)};
-  }
+  if (const auto kind = specOf(layer).grid) return {grids_.at(*kind)};
   return {};
 }
 
@@ -179,7 +89,7 @@ void RasterStack::setSession(session::Session* session) {
   follow(session_->overview(), *overview_);
   follow(session_->comparedMap(), *compared_);
   connect(&session_->layerGrids(), &session::LayerGrids::changed, this, &RasterStack::syncGrid);
-  for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
+  for (const auto& [kind, raster] : grids_) syncGrid(kind);
   syncDifference();
 }
 
@@ -239,7 +149,7 @@ void RasterStack::syncGrid(map::GridKind kind) {
   render::GridRenderer& renderer = raster->second->renderer();
   const session::LayerGrid* const grid = session_ ? session_->layerGrids().find(kind) : nullptr;
   if (!grid) return renderer.setGrid(std::nullopt);
-  renderer.setPalette(paletteOf(kind, *grid, context_.theme));
+  renderer.setPalette(gridPalette(kind, *grid, context_.theme));
   renderer.setGrid(render::PlacedGrid{grid->picture.indices, grid->reference});
 }
 
@@ -301,76 +211,13 @@ void RasterStack::themeChanged() {
   syncSlot(session_->overview(), *overview_);
   syncSlot(session_->comparedMap(), *compared_);
   syncDifference();
-  for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
+  for (const auto& [kind, raster] : grids_) syncGrid(kind);
 }
 
 bool RasterStack::read() const {
   if (!session_) return true;
   if (whole_->isVisible() && !session_->wholeMap().settled()) return false;
   return !(compared_->isVisible() || difference_->isVisible()) || session_->comparedMap().settled();
-}
-
-template <>
-LayerSpec layerSpec<Layer::Reference>() {
-  return {.name = "reference",
-          .title = QT_TRANSLATE_NOOP("scene", "Reference map"),
-          .follows_robot = false,
-          .in_all = false,  // it lies in the window alone
-          .why_empty = neverEmpty};
-}
-
-template <>
-LayerSpec layerSpec<Layer::WholeMap>() {
-  return {.name = "whole",
-          .title = QT_TRANSLATE_NOOP("scene", "Whole map"),
-          .shown = false,
-          .streams = {map::Stream::WholeMap},
-          .follows_robot = false,
-          .topic_chosen = true,
-          .in_all = false,  // --mode decides about it
-          .traits =
-              [] {
-                return LayerTraits{.choice_title = QCoreApplication::translate("scene", "Zoomed out"),
-                                   .choices = {QCoreApplication::translate("scene", "Occupied wins"),
-                                               QCoreApplication::translate("scene", "Average")}};
-              },
-          .why_empty =
-              [](robot::Robot& robot) {
-                return robot.wholeMapSource() || robot.liveTopics()
-                           ? QString()
-                           : sentences::absenceReason(robot::Capability::WholeMaps,
-                                                      robot.unavailableReason(robot::Capability::WholeMaps));
-              },
-          .legend = [](Legend& legend) { addCells(legend, legend.theme().map); }};
-}
-
-template <>
-LayerSpec layerSpec<Layer::Incremental>() {
-  return gridSpec("incremental", QT_TRANSLATE_NOOP("scene", "Incremental"), map::Stream::Incremental,
-                  incrementalLegend);
-}
-
-template <>
-LayerSpec layerSpec<Layer::EnvMatch>() {
-  return gridSpec("match", QT_TRANSLATE_NOOP("scene", "Match map"), map::Stream::EnvMatch, matchLegend);
-}
-
-template <>
-LayerSpec layerSpec<Layer::EnvSymmetry>() {
-  return gridSpec("symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), map::Stream::EnvSymmetry,
-                  matchLegend);
-}
-
-template <>
-LayerSpec layerSpec<Layer::CostmapLow>() {
-  return costmapSpec("costmap", QT_TRANSLATE_NOOP("scene", "Costmap, global or coarse"),
-                     map::Stream::CostmapLow, costmapLegend<GridKind::CostmapLow>);
-}
-
-template <>
-LayerSpec layerSpec<Layer::CostmapHigh>() {
-  return costmapSpec("costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, local or fine"),
-                     map::Stream::CostmapHigh, costmapLegend<GridKind::CostmapHigh>);
 }
 
 }  // namespace mapwright::scene

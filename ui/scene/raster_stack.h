@@ -39,6 +39,9 @@ class RasterLayer : public DeviceLayer {
   bool faint_ = false;
 };
 
+/// The colours of a grid that a robot sends (robot_grid_layers.cpp).
+render::GridPalette gridPalette(map::GridKind kind, const session::LayerGrid& grid, const MapTheme& theme);
+
 /// GUI thread. Makes the items; the scene that they are added to owns them.
 class RasterStack : public QObject {
   Q_OBJECT

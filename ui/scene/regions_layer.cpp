@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QHashFunctions>
 #include <QPainterPath>
 
 #include "robot/map_dispatch.h"
 #include "robot/robot.h"
-#include "scene/layer_item.h"
 #include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
@@ -188,6 +186,7 @@ LayerSpec layerSpec<Layer::Regions>() {
   return {
       .name = "regions",
       .title = QT_TRANSLATE_NOOP("scene", "Map by regions"),
+      .left_alone = LayerSet::Navigation | LayerSet::Mapping | LayerSet::MapOnly,
       .follows_robot = false,
       .in_all = false,  // --region says which
       .in_fit = true,

@@ -1,12 +1,13 @@
 // The robot: its mark, its footprints and its recent path.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QPainterPath>
 
 #include "map/live_state.h"
-#include "scene/layer_bounds.h"
-#include "scene/layer_item.h"
+#include "map/live_topics.h"
+#include "scene/layer_objects.h"
 #include "scene/legend.h"
 
 namespace mapwright::scene {
@@ -38,59 +39,66 @@ class TrailLayer : public LayerItem {
     }
     drawPiece();
   }
+  void robotMoved(const QRectF&, const QRectF& to) override {
+    if (context_.live->trail.size() != std::exchange(length_, context_.live->trail.size())) update(to);
+  }
   geometry::WorldRect contentBounds() const override {
     geometry::WorldRect bounds;
     for (const map::TrailPoint& point : context_.live->trail) extendBy(bounds, point.position_m);
     return bounds;
   }
+
+ private:
+  std::size_t length_ = 0;
+};
+
+/// One that is drawn where the robot is.
+class AtRobot : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void robotMoved(const QRectF& from, const QRectF& to) override {
+    update(from);
+    update(to);
+  }
 };
 
 /// The footprint of the robot, or the wider one with its safety margin, if it reports them.
 template <bool expanded_>
-class FootprintLayer : public LayerItem {
+class FootprintLayer : public AtRobot {
  public:
-  using LayerItem::LayerItem;
+  using AtRobot::AtRobot;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    const map::LiveState& live = *context_.live;
-    const auto& corners = expanded_ ? live.model.expanded_footprint : live.model.footprint;
-    const auto pose = context_.robotPose();
-    if (!pose || corners.size() < 3) return;
-    QPolygonF outline;
-    for (const Eigen::Vector2d& corner : corners)
-      outline << toPoint(context_.view.pixelFromWorld(pose->apply(corner)));
+    const std::vector<Eigen::Vector2d> corners = this->corners();
+    if (corners.size() < 3) return;
     const QColor color = colorOr(context_.theme.robot);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(translucent(color, expanded_ ? 24 : 70));
     painter->setPen(QPen(color, sizeOr(1.5), expanded_ ? Qt::DashLine : Qt::SolidLine));
-    painter->drawPolygon(outline);
+    painter->drawPolygon(toPolygon(context_.view, corners));
   }
-  geometry::WorldRect contentBounds() const override {
-    const auto& model = context_.live->model;
-    const auto pose = context_.robotPose();
-    geometry::WorldRect bounds;
-    if (!pose) return bounds;
-    for (const Eigen::Vector2d& corner : expanded_ ? model.expanded_footprint : model.footprint)
-      extendBy(bounds, pose->apply(corner));
-    return bounds;
-  }
+  geometry::WorldRect contentBounds() const override { return boundsOf(corners()); }
   LabelUse labelUse() const override { return LabelUse::Symbols; }
   void collectLabels(LabelCollector& labels) const override {
-    constexpr double kLargestPx = 120;  // a larger one is not a symbol, but ground on which something lies
-    const map::LiveState& live = *context_.live;
+    keepSmallClear(labels, toPolygon(context_.view, corners()).boundingRect());
+  }
+
+ private:
+  /// In the world; none while the robot's pose is not known.
+  std::vector<Eigen::Vector2d> corners() const {
+    const auto& model = context_.live->model;
+    std::vector<Eigen::Vector2d> world_m;
     const auto pose = context_.robotPose();
-    if (!pose) return;
-    QPolygonF outline;
-    for (const Eigen::Vector2d& corner : expanded_ ? live.model.expanded_footprint : live.model.footprint)
-      outline << toPoint(context_.view.pixelFromWorld(pose->apply(corner)));
-    const QRectF area = outline.boundingRect();
-    if (std::max(area.width(), area.height()) <= kLargestPx) labels.symbol(area);
+    if (!pose) return world_m;
+    for (const Eigen::Vector2d& corner : expanded_ ? model.expanded_footprint : model.footprint)
+      world_m.push_back(pose->apply(corner));
+    return world_m;
   }
 };
 
 /// A mark of constant size with the robot's heading.
-class RobotLayer : public LayerItem {
+class RobotLayer : public AtRobot {
  public:
-  using LayerItem::LayerItem;
+  using AtRobot::AtRobot;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     const auto drawn = context_.robotPose();
     if (!drawn) return;
@@ -125,6 +133,57 @@ class RobotLayer : public LayerItem {
   }
 };
 
+void seeRobot(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  const auto pose = context.robotPose();
+  if (!pose) return;
+  // It is hit by its mark; its footprint is as much of it.
+  seePoint(see, 0, {pose->x_m, pose->y_m});
+}
+
+MapObject describeRobot(const LayerContext& context, FeaturesOf, std::size_t) {
+  const map::LiveState& live = *context.live;
+  MapObject object;
+  object.kind = ObjectText::tr("Robot");
+  object.topic = map::topicIndex<map::TrackedPose>();
+  const auto pose = context.robotPose().value_or(geometry::Pose2());
+  object.yaw_rad = pose.yaw_rad;
+  Properties known;
+  known.add(ObjectText::tr("Localization"), live.slam.state)
+      .add(ObjectText::tr("Reliable"), live.slam.reliable);
+  if (live.battery && live.battery->level)
+    known.add(ObjectText::tr("Battery"), QStringLiteral("%1 %").arg(std::lround(*live.battery->level * 100)));
+  if (live.planning) known.add(ObjectText::tr("Movement"), live.planning->move_state);
+  if (live.model.width_m > 0) known.add(ObjectText::tr("Width"), metres(live.model.width_m));
+  object.properties = known;
+  return object;
+}
+
+void seeTrail(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  map::Polyline line;
+  line.reserve(context.live->trail.size());
+  for (const map::TrailPoint& point : context.live->trail) line.push_back(point.position_m);
+  seeLine(line, see);
+}
+
+MapObject describeTrail(const LayerContext& context, FeaturesOf, std::size_t) {
+  return oneLine(ObjectText::tr("Trail"), context.live->trail.size(), map::topicIndex<map::TrackedPose>());
+}
+
+constexpr LayerObjects kRobot{seeRobot, describeRobot};
+constexpr LayerObjects kTrail{seeTrail, describeTrail};
+
+void sampleTrail(LegendSample& sample, ObjectForm, std::int64_t) {
+  const double reach = sample.reachPx();
+  for (double x = -reach; x <= reach; x += 2) sample.live.trail.push_back({LegendSample::at(x, 0), x});
+}
+
+void addFootprint(Legend& legend, const QString& text) {
+  legend.addSample(text, [](LegendSample& sample) {
+    sample.live.robot_pose = geometry::Pose2{};
+    sample.live.model.footprint = sample.live.model.expanded_footprint = LegendSample::box(16, 7);
+  });
+}
+
 LayerTraits thinLines() { return lineTraits(2); }
 
 }  // namespace
@@ -147,9 +206,16 @@ LayerSpec layerSpec<Layer::Trail>() {
   return {.name = "trail",
           .title = QT_TRANSLATE_NOOP("scene", "Trail"),
           .group = LayerGroup::Robot,
+          .sets = LayerSet::Navigation | LayerSet::Mapping | LayerSet::Report | LayerSet::Snapshot,
+          .always_on = {map::Stream::Pose},
+          .lively = true,
           .traits = thinLines,
           .items = oneItem<TrailLayer>,
-          .legend = trailLegend};
+          .objects = &kTrail,
+          .sample = sampleTrail,
+          .legend = [](Legend& legend) {
+            legend.addThing(LegendText::tr("Where the robot was"), ObjectForm::Line);
+          }};
 }
 
 template <>
@@ -158,9 +224,14 @@ LayerSpec layerSpec<Layer::ExpandedFootprint>() {
           .title = QT_TRANSLATE_NOOP("scene", "Wide footprint"),
           .group = LayerGroup::Robot,
           .shown = false,
+          .sets = LayerSet::Navigation,
+          .always_on = {map::Stream::Pose, map::Stream::Model},
+          .lively = true,
           .traits = thinLines,
           .items = oneItem<FootprintLayer<true>>,
-          .legend = expandedFootprintLegend};
+          .legend = [](Legend& legend) {
+            addFootprint(legend, LegendText::tr("The outline with its safety margin"));
+          }};
 }
 
 template <>
@@ -168,9 +239,12 @@ LayerSpec layerSpec<Layer::Footprint>() {
   return {.name = "footprint",
           .title = QT_TRANSLATE_NOOP("scene", "Footprint"),
           .group = LayerGroup::Robot,
+          .sets = LayerSet::Navigation | LayerSet::Mapping | LayerSet::Report | LayerSet::Snapshot,
+          .always_on = {map::Stream::Pose, map::Stream::Model},
+          .lively = true,
           .traits = thinLines,
           .items = oneItem<FootprintLayer<false>>,
-          .legend = footprintLegend};
+          .legend = [](Legend& legend) { addFootprint(legend, LegendText::tr("Outline of the robot")); }};
 }
 
 template <>
@@ -178,8 +252,17 @@ LayerSpec layerSpec<Layer::Robot>() {
   return {.name = "robot",
           .title = QT_TRANSLATE_NOOP("scene", "Robot"),
           .group = LayerGroup::Robot,
+          .sets = LayerSet::Navigation | LayerSet::Mapping | LayerSet::Report | LayerSet::Snapshot,
+          .always_on = {map::Stream::Pose},
+          .lively = true,
           .items = oneItem<RobotLayer>,
-          .legend = robotLegend};
+          .objects = &kRobot,
+          .sample = [](LegendSample& sample, ObjectForm,
+                       std::int64_t) { sample.live.robot_pose = geometry::Pose2{}; },
+          .legend =
+              [](Legend& legend) {
+                legend.addThing(LegendText::tr("Robot; the tip is its front"), ObjectForm::Point);
+              }};
 }
 
 }  // namespace mapwright::scene

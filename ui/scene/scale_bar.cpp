@@ -76,6 +76,8 @@ LayerSpec layerSpec<Layer::ScaleBar>() {
   return {.name = "scalebar",
           .title = QT_TRANSLATE_NOOP("scene", "Scale bar"),
           .group = LayerGroup::Annotations,
+          .sets = LayerSet::Navigation | LayerSet::Mapping | LayerSet::MapOnly | LayerSet::Report |
+                  LayerSet::Snapshot,
           .follows_robot = false,
           .order_fixed = true,
           .why_empty = neverEmpty,

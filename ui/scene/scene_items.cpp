@@ -1,8 +1,8 @@
 #include "scene/scene_items.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 
 #include <QFontMetricsF>
 #include <QGraphicsScene>
@@ -141,11 +141,6 @@ class SwipeItem : public LayerItem {
   }
 };
 
-/// Layers that change many times a second: from the lowest of them that is shown, all draw themselves.
-constexpr std::array kLively{Layer::LocalPath, Layer::Cloud,     Layer::NearbyRobots,
-                             Layer::Trail,     Layer::Footprint, Layer::ExpandedFootprint,
-                             Layer::Robot};
-
 /// nullopt: all is well, or its place is not known.
 std::optional<MapTrouble> troubleOf(const session::Session& session, const session::MapSlot& slot) {
   const bool nothing = slot.phase() == session::MapSlot::Phase::Failed && !slot.cells();
@@ -267,10 +262,11 @@ void SceneItems::layGround() {
   std::stable_sort(layers.begin(), layers.end(),
                    [](const LayerItem* a, const LayerItem* b) { return a->zValue() < b->zValue(); });
   std::vector<const LayerItem*> above{measure, stale, swipe};
-  for (const Layer layer : kLively) {
-    for (const LayerItem* item : itemsOf(layer)) {
-      if (item->isVisible()) above.push_back(item);
-    }
+  // From the lowest lively layer that is shown, all draw themselves.
+  for (const auto& [layer, items] : by_layer) {
+    if (!specOf(layer).lively) continue;
+    std::copy_if(items.begin(), items.end(), std::back_inserter(above),
+                 [](const LayerItem* item) { return item->isVisible(); });
   }
   const auto first = std::find_if(layers.begin(), layers.end(), [&above](const LayerItem* item) {
     return std::find(above.begin(), above.end(), item) != above.end();

@@ -60,7 +60,6 @@ class SceneItems {
   std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
   std::optional<geometry::Pose2> robot_pose;  // of the robot as drawn
-  std::size_t trail_length = 0;
   std::map<Layer, bool> shown;
   std::vector<Layer> order;
   CompareMode compare = CompareMode::Off;

@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include <QCoreApplication>
-
+#include "render/compositor.h"
 #include "render/tile_renderer.h"
-#include "scene/layer_bounds.h"
-#include "scene/layer_item.h"
 #include "scene/layer_objects.h"
 #include "scene/legend.h"
 #include "sentences/fault_sentence.h"
@@ -50,9 +47,21 @@ class SubmapsLayer : public DeviceLayer {
   }
 };
 
-class SubmapText {
-  Q_DECLARE_TR_FUNCTIONS(MapObject)
-};
+void submapsLegend(Legend& legend) {
+  const render::ColorTable table(legend.theme().map, legend.colors());
+  const auto cell = [&](int flags, int intensity) {
+    return QColor(table.at(std::uint8_t(render::kObserved | flags), std::uint8_t(intensity)));
+  };
+  addCells(legend, legend.theme().map);
+  if (legend.colors() == render::ColorMode::Incremental) {
+    legend.addCell(LegendText::tr("Free, of incremental submaps"), cell(render::kIncremental, 255));
+    legend.addCell(LegendText::tr("Occupied, of incremental submaps"), cell(render::kIncremental, 0));
+  }
+  if (legend.colors() == render::ColorMode::Active) {
+    legend.addCell(LegendText::tr("Free, of frozen submaps"), cell(0, 255));
+    legend.addCell(LegendText::tr("Occupied, of frozen submaps"), cell(0, 0));
+  }
+}
 
 }  // namespace
 
@@ -80,7 +89,7 @@ std::optional<MapObject> submapObject(const LayerContext& context, const session
   MapObject object;
   object.id = id;
   object.form = ObjectForm::Area;
-  object.kind = SubmapText::tr("Submap");
+  object.kind = ObjectText::tr("Submap");
   object.name = QString::fromStdString(map::toText(submap));
   object.at_m = outline.center;
   object.parts = {{outline.corners.begin(), outline.corners.end()}};
@@ -93,14 +102,14 @@ std::optional<MapObject> submapObject(const LayerContext& context, const session
   };
   const std::int32_t version = submap::versionOf(*row);
   const bool as_listed = row->shown_version < 0 || row->shown_version == version;
-  add(SubmapText::tr("Version"),
-      version == map::kNoVersion ? SubmapText::tr("unknown")
+  add(ObjectText::tr("Version"),
+      version == map::kNoVersion ? ObjectText::tr("unknown")
       : as_listed                ? QString::number(version)
-                                 : SubmapText::tr("%1, on screen %2").arg(version).arg(row->shown_version));
-  add(SubmapText::tr("State"), row->entry.is_frozen ? SubmapText::tr("frozen") : SubmapText::tr("active"));
-  add(SubmapText::tr("Trajectory"), QString::number(submap.trajectory));
-  if (row->slices.size() > 1) add(SubmapText::tr("Slices"), QString::number(row->slices.size()));
-  add(SubmapText::tr("Problem"), sentences::sentenceOf(session.reason(submap)));
+                                 : ObjectText::tr("%1, on screen %2").arg(version).arg(row->shown_version));
+  add(ObjectText::tr("State"), row->entry.is_frozen ? ObjectText::tr("frozen") : ObjectText::tr("active"));
+  add(ObjectText::tr("Trajectory"), QString::number(submap.trajectory));
+  if (row->slices.size() > 1) add(ObjectText::tr("Slices"), QString::number(row->slices.size()));
+  add(ObjectText::tr("Problem"), sentences::sentenceOf(session.reason(submap)));
   return object;
 }
 
@@ -108,6 +117,8 @@ template <>
 LayerSpec layerSpec<Layer::Submaps>() {
   return {.name = "submaps",
           .title = QT_TRANSLATE_NOOP("scene", "Submaps"),
+          .left_alone = LayerSet::Navigation | LayerSet::Mapping | LayerSet::MapOnly,
+          .shows_submaps = true,
           .in_all = false,  // --mode decides about them
           .why_empty = noSubmapsReason,
           .items = oneItem<SubmapsLayer>,

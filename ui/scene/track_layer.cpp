@@ -2,12 +2,10 @@
 #include <array>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
 
-#include "scene/layer_bounds.h"
-#include "scene/layer_item.h"
+#include "scene/layer_objects.h"
 #include "scene/legend.h"
 #include "scene/lengths.h"
 #include "scene/track.h"
@@ -235,6 +233,55 @@ void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
   painter.fillRect(bar, gradient);
 }
 
+void seeTrack(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  if (!context.track) return;
+  map::Polyline line;
+  line.reserve(context.track->size());
+  for (const TrackSample& sample : *context.track) line.push_back(sample.position_m);
+  seeLine(line, see);
+}
+
+MapObject describeTrack(const LayerContext& context, FeaturesOf, std::size_t) {
+  static const Track kNone;
+  const Track& track = context.track ? *context.track : kNone;
+  MapObject object = oneLine(ObjectText::tr("Track of the bag"), track.size(), -1);
+  if (!track.empty())
+    object.properties.push_back(
+        {ObjectText::tr("Time in the bag"),
+         ObjectText::tr("%1 to %2").arg(durationText(track.front().at_s), durationText(track.back().at_s))});
+  return object;
+}
+
+constexpr LayerObjects kTrack{seeTrack, describeTrack};
+
+void sampleTrack(LegendSample& sample, ObjectForm, std::int64_t look) {
+  constexpr int kSteps = 200;
+  auto track = std::make_shared<Track>();
+  for (int i = 0; i <= kSteps; ++i) {
+    const double share = double(i) / kSteps;
+    track->push_back(
+        {LegendSample::at(sample.reachPx() * (2 * share - 1), 0), share, share, int(look), i == 0});
+  }
+  sample.context.track = track;
+}
+
+void trackLegend(Legend& legend) {
+  if (!legend.context().track) return;
+  const Legend::Fill whole = [](LegendSample& sample) { sampleTrack(sample, ObjectForm::Line, 0); };
+  switch (TrackChoice(legend.style().choice)) {
+    case TrackChoice::Time:
+      return legend.addSampleScale(LegendText::tr("start"), LegendText::tr("end of the bag"), whole);
+    case TrackChoice::Speed:
+      return legend.addSampleScale(LegendText::tr("standing"), LegendText::tr("fastest"), whole);
+    case TrackChoice::Quality:
+      break;
+  }
+  legend.addThing(LegendText::tr("Localization: good"), ObjectForm::Line, kGood);
+  legend.addThing(LegendText::tr("Localization: fair"), ObjectForm::Line, kPoor + 1);
+  legend.addThing(LegendText::tr("Localization: poor or lost"), ObjectForm::Line, kPoor);
+  legend.addThing(LegendText::tr("Localization: unknown"), ObjectForm::Line, 0);
+}
+
 }  // namespace
 
 template <>
@@ -242,7 +289,9 @@ LayerSpec layerSpec<Layer::Track>() {
   return {.name = "track",
           .title = QT_TRANSLATE_NOOP("scene", "Track of the bag"),
           .group = LayerGroup::Robot,
-          .in_all = false,  // it needs the whole bag
+          .left_alone = LayerSet::Navigation | LayerSet::Mapping,
+          .in_all = false,
+          .not_in_all_reason = QT_TRANSLATE_NOOP("scene", "needs a whole bag"),
           .traits =
               [] {
                 LayerTraits traits = lineTraits(kWidth);
@@ -254,6 +303,8 @@ LayerSpec layerSpec<Layer::Track>() {
                 return traits;
               },
           .items = oneItem<TrackLayer>,
+          .objects = &kTrack,
+          .sample = sampleTrack,
           .legend = trackLegend};
 }
 

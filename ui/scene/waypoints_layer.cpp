@@ -5,8 +5,7 @@
 #include <unordered_set>
 
 #include "robot/robot.h"
-#include "scene/layer_bounds.h"
-#include "scene/layer_item.h"
+#include "scene/layer_objects.h"
 #include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
@@ -157,6 +156,81 @@ class WaypointsLayer : public LayerItem {
   static constexpr std::size_t kMostChosen = 50;
 };
 
+QString markText(WaypointMark mark) {
+  switch (mark) {
+    case WaypointMark::Saved:
+      return {};
+    case WaypointMark::Unsaved:
+      return ObjectText::tr("changed, not saved");
+    case WaypointMark::Sent:
+      return ObjectText::tr("sent, not confirmed");
+    case WaypointMark::Conflict:
+      return ObjectText::tr("in conflict: mine");
+    case WaypointMark::New:
+      return ObjectText::tr("new, not saved");
+    case WaypointMark::Deleted:
+      return ObjectText::tr("deleted, not saved");
+    case WaypointMark::Theirs:
+      return ObjectText::tr("in conflict: theirs");
+  }
+  return {};
+}
+
+void seeWaypoints(const LayerContext& context, FeaturesOf of, const SeeObject& see) {
+  seePoints(context.of(of).waypoints, see);
+}
+
+std::string keyOfWaypoint(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  return context.of(of).waypoints[number].name;
+}
+
+/// MapObject::look.
+std::int64_t lookOf(WaypointMark mark, bool warned) { return std::int64_t(mark) * 2 + (warned ? 1 : 0); }
+
+MapObject describeWaypoint(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  const DrawnWaypoint& point = context.of(of).waypoints[number];
+  MapObject object;
+  object.kind = ObjectText::tr("Waypoint");
+  object.name = shortName(point.name);
+  object.look = lookOf(point.mark, !point.warnings.isEmpty());
+  object.yaw_rad = point.yaw_rad;
+  Properties known;
+  for (const QString& warning : point.warnings.split(QLatin1Char('\n')))
+    known.add(ObjectText::tr("Warning"), warning);
+  object.properties = known.add(ObjectText::tr("State"), markText(point.mark))
+                          .add(ObjectText::tr("Type"), point.type)
+                          .add(ObjectText::tr("Tags"), point.tags);
+  return object;
+}
+
+constexpr LayerObjects kWaypoints{seeWaypoints, describeWaypoint, keyOfWaypoint};
+
+void sampleWaypoint(LegendSample& sample, ObjectForm, std::int64_t look) {
+  DrawnWaypoint point;
+  point.mark = WaypointMark(look / 2);
+  if (look % 2 == 1) point.warnings = QStringLiteral("!");
+  sample.context.of(FeaturesOf::WholeMap).waypoints = {point};
+}
+
+void waypointsLegend(Legend& legend) {
+  const auto add = [&](WaypointMark mark, const QString& text, bool warned = false) {
+    legend.addThing(text, ObjectForm::Point, lookOf(mark, warned));
+  };
+  add(WaypointMark::Saved, LegendText::tr("Saved"));
+  add(WaypointMark::Unsaved, LegendText::tr("Changed, not saved yet"));
+  add(WaypointMark::New, LegendText::tr("New, not saved yet"));
+  add(WaypointMark::Deleted, LegendText::tr("Deleted, not saved yet"));
+  add(WaypointMark::Sent, LegendText::tr("Sent, not confirmed yet"));
+  add(WaypointMark::Conflict, LegendText::tr("In conflict: mine"));
+  add(WaypointMark::Theirs, LegendText::tr("In conflict: the other version"));
+  legend.addSample(LegendText::tr("Selected"), [](LegendSample& sample) {
+    DrawnWaypoint point;
+    point.selected = true;
+    sample.context.of(FeaturesOf::WholeMap).waypoints = {point};
+  });
+  add(WaypointMark::Saved, LegendText::tr("With a warning"), true);
+}
+
 }  // namespace
 
 DrawnWaypoint drawnFrom(const map::Waypoint& point) {
@@ -232,6 +306,7 @@ LayerSpec layerSpec<Layer::Waypoints>() {
   return {.name = "waypoints",
           .title = QT_TRANSLATE_NOOP("scene", "Waypoints"),
           .group = LayerGroup::Annotations,
+          .sets = LayerSet::Navigation,
           .follows_robot = false,
           .why_empty =
               [](robot::Robot& robot) {
@@ -241,6 +316,8 @@ LayerSpec layerSpec<Layer::Waypoints>() {
                                                       robot.unavailableReason(robot::Capability::Waypoints));
               },
           .items = itemForEachMap<WaypointsLayer>,
+          .objects = &kWaypoints,
+          .sample = sampleWaypoint,
           .legend = waypointsLegend};
 }
 
