@@ -180,6 +180,17 @@ class ManualTest : public QObject {
     QVERIFY2(unknown.isEmpty(), qPrintable(unknown.join(QLatin1Char('\n'))));
   }
 
+  void everyLayerIsInTheManual() {
+    const QStringList listed =
+        matchesOf("separated by commas:([a-z,\\s-]+); or all", helps_[QStringLiteral("snapshot")].text);
+    QCOMPARE(listed.size(), 1);
+    const QStringList names = listed[0].simplified().remove(QLatin1Char(' ')).split(QLatin1Char(','));
+    QVERIFY(names.size() > 30);
+    const QString manual = pageOf("docs/command-line.md");
+    for (const QString& name : names)
+      QVERIFY2(manual.contains(QStringLiteral("`%1`").arg(name)), qPrintable(name));
+  }
+
   void everyCommandAndOptionIsInTheManual() {
     const QString manual = pageOf("docs/command-line.md");
     const QStringList known = matchesOf("(--[a-z][a-z0-9-]*)", manual);
