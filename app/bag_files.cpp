@@ -17,9 +17,6 @@
 #include "excerpt/recording_merge.h"
 #include "excerpt/recording_slice.h"
 #include "recording/source.h"
-#include "robot/recorded/faults.h"
-#include "robot/recorded/recorded_robot.h"
-#include "robot/recorded/recording_reasons.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
@@ -72,7 +69,7 @@ void tell(const BagsArguments& args, const ExportOrder& order, RobotCommand& com
 /// The file, if it is a recording on this computer.
 std::optional<std::string> recordingOf(const BagsArguments& args) {
   const auto parsed = knownAddresses().parse(text(args.robot));
-  if (!parsed || parsed->path.isEmpty() || !robot::recorded::isRecording(parsed->path)) return std::nullopt;
+  if (!parsed || parsed->path.isEmpty() || !isRecording(parsed->path)) return std::nullopt;
   return parsed->path.toStdString();
 }
 
@@ -86,7 +83,9 @@ excerpt::Order excerptOf(const BagsArguments& args, const BagReading& bags, cons
   wanted.path = args.output;
   wanted.span = order.span;
   wanted.topics = args.topics;
-  wanted.address = bags.robot().session().robot().address().toStdString();
+  const QString address = bags.robot().session().robot().address();
+  wanted.address = address.toStdString();
+  wanted.robot_kind = knownAddresses().kindOf(address);
   wanted.bag = args.name;
   return wanted;
 }
@@ -98,8 +97,7 @@ CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command,
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody cancels it
   bags.reportNotFound(args.topics, order.span, done.messages, done.topics);
-  const map::Subject bag =
-      subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
+  const map::Subject bag{map::SubjectKind::Bag, args.name};
   for (const Fault& loss : done.losses)
     bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
   tell(args, order, command,
@@ -208,13 +206,6 @@ std::optional<QString> notIntoReason(const QString& path, const std::vector<std:
   return notCreatedReason(path, force, sources);
 }
 
-/// Its end is missing, and maybe the data being written at that time.
-bool isOfItsEnd(const Fault& loss) {
-  return loss.code == robot::recorded::fault::RecordingNotFinished ||
-         loss.code == robot::recorded::fault::RecordingNotBegun ||
-         loss.code == robot::recorded::fault::RecordingCutOff;
-}
-
 void tell(const BagsArguments& args, const QStringList& files, const excerpt::Written& done,
           const QStringList& not_found = {}) {
   QStringList losses;
@@ -253,8 +244,7 @@ CommandResult<int> bagsRepair(RobotCommand&, const BagsArguments& args) {
   const auto made = excerpt::sliceRecording(*path, order);
   if (!made) return notOpened(made.error());
   tell(args, {text(args.output)}, **made);
-  const bool all = std::all_of((*made)->losses.begin(), (*made)->losses.end(), isOfItsEnd);
-  return int(all ? kDone : kIncomplete);
+  return int((*made)->damaged ? kIncomplete : kDone);
 }
 
 CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
@@ -265,12 +255,10 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
   if (numbered(pattern, 0).isEmpty())
     return wrong(
         Text::tr("-o %1: the parts need a number in their name, for example part-%03d.mcap.").arg(pattern));
-  const auto opened = recording::openRecording(*path);
-  if (!opened) return notOpened(robot::recorded::reasonOf(opened.error()));
-  const recording::Summary summary = (*opened)->summary();
-  if (!summary.start_ns) return wrong(Text::tr("It contains no messages."));
   auto slicing = excerpt::Slicing::open(*path);
   if (!slicing) return notOpened(slicing.error());
+  const recording::Summary summary = slicing->source().summary();
+  if (!summary.start_ns) return wrong(Text::tr("It contains no messages."));
   const double every_ns = args.every_s * 1e9;
   // A clock that was set may leave fifty years between two messages; parts without any are left out.
   std::vector<std::int64_t> parts;
@@ -290,7 +278,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
     recording::Query later;
     later.first_ns = startOf(part + 1);
     if (later.first_ns <= *at_ns) break;
-    const auto next = (*opened)->messages(later)->next();
+    const auto next = slicing->source().messages(later)->next();
     at_ns = next ? std::optional(next->log_time_ns) : std::nullopt;
   }
   QStringList files;

@@ -7,7 +7,6 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "reporting/report_job.h"
-#include "robot/recorded/recorded_robot.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -53,8 +52,7 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
   QStringList sources{address};
   if (!args.against.empty()) {
     OtherRun other = otherRunFrom(args.against);
-    if (const QString file = words::text(other.bag);
-        QFileInfo(file).isFile() && !robot::recorded::isRecording(file))
+    if (const QString file = words::text(other.bag); QFileInfo(file).isFile() && !isRecording(file))
       return wrong(Text::tr("--against %1 is not a recording. Pass a file (.mcap, .bag, .db3) or the name of "
                             "a bag of the robot.")
                        .arg(words::plainName(other.bag)));

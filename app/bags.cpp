@@ -18,7 +18,7 @@
 #include "app/snapshot.h"
 #include "excerpt/excerpt.h"
 #include "incident/report.h"
-#include "robot/axbot/faults.h"
+#include "robot/faults.h"
 #include "robot/sends_map.h"
 #include "ui/kit/status_text.h"
 #include "words/file_name.h"
@@ -117,8 +117,7 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args
   line->clear();
   if (!done) {
     const auto failure = bags.failure(done.error());
-    if (done.error().cause.code == robot::axbot::fault::BagFileNotWritten)
-      return wrong(failure.value().sentence);
+    if (done.error().cause.code == robot::fault::BagFileNotWritten) return wrong(failure.value().sentence);
     return failure;
   }
   if (args.json) {

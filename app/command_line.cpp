@@ -30,8 +30,6 @@
 #include "keyring/key_ring.h"
 #include "replay/replay_robot.h"
 #include "robot/address.h"
-#include "robot/files/local_maps.h"
-#include "robot/recorded/recorded_robot.h"
 #include "robot/second_server.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/view/replay_state.h"
@@ -84,14 +82,14 @@ int showWindow(const QString& address, const RobotAccess& known) {
         const QString beside = second ? trusted.of(second->hostBeside()) : QString();
         if (!beside.isEmpty()) second->trustBeside(beside);
         // A recording is viewed by playing it.
-        if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
-          *made = std::make_unique<replay::ReplayRobot>(
-              std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());
+        if (made && parsed && !parsed->path.isEmpty() && isRecording(parsed->path))
+          *made = std::make_unique<replay::ReplayRobot>(std::move(*made), bagNameOf(parsed->path),
+                                                        window::followedReading());
         return made;
       },
       *settings, address};
   wanted.session = sessionOptions();
-  wanted.yamls_naming = robot::files::yamlsNaming;
+  wanted.yamls_naming = yamlsNaming;
   const QString data_folder =
       QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/mapwright");
   disk::makePrivateFolder(QFile::encodeName(data_folder).toStdString());

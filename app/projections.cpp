@@ -12,8 +12,8 @@
 #include "app/output.h"
 #include "app/robot_command.h"
 #include "map/map_part.h"
+#include "robot/faults.h"
 #include "robot/map_dispatch.h"
-#include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
@@ -83,7 +83,7 @@ CommandResult<int> list(RobotReading& reading, robot::MapDispatch& dispatch,
                         const ProjectionsArguments& args) {
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch.projections(std::move(reply)); });
-  if (!told && told.error().cause.code == robot::ros::fault::ProjectionsNotTold) {
+  if (!told && told.error().cause.code == robot::fault::ProjectionsNotTold) {
     return reading.failure(kIncomplete, text(sentences::sentenceOf(told.error())));
   }
   if (!told) return reading.failure(told.error());

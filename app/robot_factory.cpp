@@ -226,6 +226,14 @@ void onRecording(std::string& robot, std::string& bag, const std::string& otherw
   }
 }
 
+bool isRecording(const QString& path) { return robot::recorded::isRecording(path); }
+
+std::string bagNameOf(const QString& path) { return robot::recorded::bagNameOf(path); }
+
+bool isMapFile(const QString& path) { return robot::files::isMapFile(path); }
+
+QStringList yamlsNaming(const QString& picture) { return robot::files::yamlsNaming(picture); }
+
 bool isFileName(const QString& typed) {
   return typed.contains(QLatin1Char('/')) || QFileInfo::exists(typed) ||
          typed.startsWith(QLatin1String("file:")) || robot::recorded::hasRecordingName(typed);

@@ -64,6 +64,15 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString
 /// `robot` becomes `otherwise`.
 void onRecording(std::string& robot, std::string& bag, const std::string& otherwise);
 
+/// Whether the file or folder at `path` is a recording, by its name or its first bytes.
+bool isRecording(const QString& path);
+/// The name of the bag in that recording.
+std::string bagNameOf(const QString& path);
+/// Whether it is called like a map: .yaml, .yml, .png, .pgm or .bmp.
+bool isMapFile(const QString& path);
+/// The YAML files beside a single picture that name it; empty if it is not a picture.
+QStringList yamlsNaming(const QString& picture);
+
 /// True if it is an existing file, or written like a path or a recording's name.
 bool isFileName(const QString& typed);
 

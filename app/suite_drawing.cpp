@@ -13,8 +13,6 @@
 #include "app/report.h"
 #include "app/robot_factory.h"
 #include "replay/replay_robot.h"
-#include "robot/files/local_maps.h"
-#include "robot/recorded/recorded_robot.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -44,7 +42,7 @@ QString placed(const QString& written, const QString& folder) {
       path.startsWith(QLatin1String("~/")) || path.startsWith(QLatin1String("demo:")))
     return written;
   const QString there = QDir(folder).absoluteFilePath(path);
-  if (!named_file && !isFileName(path) && !robot::files::isMapFile(plain) &&
+  if (!named_file && !isFileName(path) && !isMapFile(plain) &&
       !QFileInfo::exists(there.section(QLatin1Char('?'), 0, 0)))
     return written;
   return prefix + QDir::cleanPath(there);
@@ -56,7 +54,7 @@ QString recordingIn(const QString& address) {
   const QString named = address.startsWith(prefix) ? address.mid(prefix.size()) : address;
   const QString path = named.section(QLatin1Char('?'), 0, 0);
   const bool file = !path.isEmpty() && !path.contains(QLatin1String("://")) && QFileInfo(path).isFile();
-  return file && robot::recorded::isRecording(path) ? QFileInfo(path).absoluteFilePath() : QString();
+  return file && isRecording(path) ? QFileInfo(path).absoluteFilePath() : QString();
 }
 
 /// A bag may be a file, too.

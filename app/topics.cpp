@@ -19,7 +19,6 @@
 #include "app/live_robot.h"
 #include "app/output.h"
 #include "net/rosbridge/frame.h"
-#include "robot/axbot/parse_topics.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
 #include "scene/layer.h"
@@ -122,7 +121,7 @@ class TopicsRun {
     delivers->setDeliveryTap([&](const robot::Delivery& message) {
       if (message.kind != robot::Delivery::Kind::Message || message.before || message.name != topic) return;
       QMetaObject::invokeMethod(
-          &context_, [&print, line = lineOf(message)] { print(line); }, Qt::QueuedConnection);
+          &context_, [&print, line = lineOf(message, *delivers)] { print(line); }, Qt::QueuedConnection);
     });
     if (auto failure = connect(topics_)) return tl::make_unexpected(*failure);
     silence.setInterval(std::chrono::milliseconds(std::llround(args_.timeout_s * 1000)));
@@ -205,7 +204,7 @@ class TopicsRun {
   }
 
   /// All of a message as one line of JSON. On any thread.
-  static QByteArray lineOf(const robot::Delivery& message) {
+  static QByteArray lineOf(const robot::Delivery& message, const robot::Delivers& from) {
     const QByteArray bytes(message.bytes.data(), qsizetype(message.bytes.size()));
     // JSON has line breaks only between its words, where a space means the same.
     if (message.encoding == "json") return QByteArray(bytes).replace('\n', ' ').replace('\r', ' ');
@@ -214,10 +213,7 @@ class TopicsRun {
       const auto frame = Frame::read(bytes, Frame::Wire::Binary);
       if (frame->fault() == Frame::Fault::None) return frame->root().toWholeJson();
     }
-    if (message.encoding == "protobuf") {
-      if (const auto json = robot::axbot::jsonOfBinaryBody(message.bytes))
-        return QByteArray::fromStdString(*json);
-    }
+    if (const auto json = from.jsonOf(message)) return QByteArray::fromStdString(*json);
     const QJsonObject unknown{
         {QStringLiteral("topic"), QString::fromUtf8(message.name.data(), qsizetype(message.name.size()))},
         {QStringLiteral("bytes"), bytes.size()},

@@ -10,7 +10,7 @@
 #include "app/command_text.h"
 #include "app/output.h"
 #include "map/waypoint.h"
-#include "robot/ros/faults.h"
+#include "robot/faults.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 
@@ -89,7 +89,7 @@ class Sending {
     for (SentStep& sent : sent_.steps) {
       if (!refused.contains(sent.step.key)) continue;
       map::Failure failure{.kind = map::FailureKind::RejectedByRobot, .asked_for = map::AskedFor::Change};
-      failure.cause = {robot::ros::fault::ResultNameTaken, {sent.step.after->name}};
+      failure.cause = {robot::fault::WaypointNameTaken, {sent.step.after->name}};
       sent.outcome = {StepState::Failed, failure};
       sent_.failure = std::move(failure);
     }

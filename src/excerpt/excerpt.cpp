@@ -49,12 +49,6 @@ class Lines : public Writing {
   Written done_;
 };
 
-std::string schemeOf(const std::string& text) {
-  const std::size_t end = text.find_first_of("+:");
-  const std::string scheme = end == std::string::npos ? text : text.substr(0, end);
-  return scheme == "http" || scheme == "https" ? "axbot" : scheme;
-}
-
 /// A part of a bag laid out like a session recorded here (recorder/layout.h): played alone it shows what the
 /// bag shows in that time, except how it came about.
 class Mcap : public Writing {
@@ -64,7 +58,7 @@ class Mcap : public Writing {
   std::optional<disk::FileError> describe() {
     recording::Values about{{"version", "1"},
                             {"address", order_.address},
-                            {"kind", schemeOf(order_.address)},
+                            {"kind", order_.robot_kind},
                             {"bag", order_.bag},
                             {"recorded_by", "mapwright " MAPWRIGHT_VERSION}};
     for (const char* unknown : {"model", "serial", "name", "firmware"}) about[unknown];

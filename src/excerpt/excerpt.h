@@ -36,7 +36,7 @@ struct Order {
   std::optional<std::int64_t> first_ns, last_ns;
   bool repair = false;  // of an interrupted recording: the file says so, and is complete
   // Where an MCAP file comes from, stored in it.
-  std::string address, bag;
+  std::string address, robot_kind, bag;  // robot_kind: robot::Addresses::kindOf(address)
 };
 
 /// What was written.
@@ -48,6 +48,7 @@ struct Written {
   std::int64_t samples = 0, pieces = 0;  // of a track
   std::int64_t odd = 0;                  // left out: unreadable or without time stamp
   std::vector<Fault> losses;             // what is damaged or cut off in the input file
+  bool damaged = false;                  // more of it is lost than its end
 };
 
 /// Whether it is one of the topics, or the list is empty.

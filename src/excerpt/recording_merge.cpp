@@ -223,7 +223,7 @@ class Merge {
   Written done() const {
     Written done = done_;
     for (const SourcePtr& source : sources_)
-      addLosses(done.losses, *source, robot::recorded::isInterrupted(*source));
+      addLosses(done, *source, robot::recorded::isInterrupted(*source));
     return done;
   }
 

@@ -106,7 +106,7 @@ class Slice {
 
   Written done() const {
     Written done = done_;
-    addLosses(done.losses, source_, cut_short_);
+    addLosses(done, source_, cut_short_);
     return done;
   }
 
@@ -139,6 +139,8 @@ struct Slicing::Parts {
 Slicing::Slicing(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Slicing::Slicing(Slicing&&) noexcept = default;
 Slicing::~Slicing() = default;
+
+recording::Source& Slicing::source() const { return *parts_->source; }
 
 tl::expected<Slicing, Fault> Slicing::open(const std::string& path) {
   auto source = recording::openRecording(path);

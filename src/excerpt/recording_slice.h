@@ -11,6 +11,7 @@
 
 #include "excerpt/excerpt.h"
 #include "fault/fault.h"
+#include "recording/source.h"
 
 namespace mapwright::excerpt {
 
@@ -23,6 +24,7 @@ class Slicing {
   static tl::expected<Slicing, Fault> open(const std::string& path);
   Slicing(Slicing&&) noexcept;
   ~Slicing();
+  recording::Source& source() const;
 
   /// Copies the part selected by `order` (an MCAP file). What was said before the span and still counts then
   /// is written first (robot::recorded::EarlierMessages), on channels with the metadata said=before

@@ -72,10 +72,12 @@ class WholeMcap {
 };
 
 /// What is damaged in a recording; `cut_short`: its end is missing, too.
-inline void addLosses(std::vector<Fault>& losses, const recording::Source& source, bool cut_short) {
-  if (cut_short) losses.push_back(robot::recorded::interruptionOf(source.summary()));
+inline void addLosses(Written& done, const recording::Source& source, bool cut_short) {
+  if (cut_short) done.losses.push_back(robot::recorded::interruptionOf(source.summary()));
   for (const recording::Note& note : source.summary().notes) {
-    if (robot::recorded::isLoss(note.code)) losses.push_back(robot::recorded::reasonOf(note));
+    if (!robot::recorded::isLoss(note.code)) continue;
+    done.losses.push_back(robot::recorded::reasonOf(note));
+    done.damaged |= note.code != recording::NoteCode::CutOff;
   }
 }
 

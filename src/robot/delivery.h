@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "map/submap.h"
@@ -46,6 +47,8 @@ class Delivers {
   /// still in memory. After this returns the previous tap is no longer called. Not to be called from within a
   /// tap.
   virtual void setDeliveryTap(DeliveryTap tap) = 0;
+  /// The content of a binary message as one JSON text; nullopt: its type is not known. On any thread.
+  virtual std::optional<std::string> jsonOf(const Delivery&) const { return std::nullopt; }
 };
 
 /// Null: it delivers nothing (files).

@@ -16,4 +16,21 @@ inline constexpr FaultCode CapabilityLacking{"robot",
 /// its words
 inline constexpr FaultCode ItAnswered{"robot", QT_TRANSLATE_NOOP("robot", "It answered: %1")};
 
+// Waypoints that are changed.
+/// name
+inline constexpr FaultCode WaypointNameTaken{
+    "robot",
+    QT_TRANSLATE_NOOP("robot", "another waypoint of this map is called \"%1\", too; rename one of the two")};
+
+// A map dispatcher.
+inline constexpr FaultCode ProjectionsNotTold{
+    "robot", QT_TRANSLATE_NOOP(
+                 "robot",
+                 "Its projections are unknown: it does not list its topics and services (its node rosapi is "
+                 "not running), and nothing has arrived on the usual topics (projected_map_0 and so on).")};
+
+// Bags.
+/// path, the system's words
+inline constexpr FaultCode BagFileNotWritten{"robot", QT_TRANSLATE_NOOP("robot", "%1 cannot be written: %2")};
+
 }  // namespace mapwright::robot::fault

@@ -85,7 +85,8 @@ class TestWalls : public QObject {
   void aRoomReachesEveryHeaderOfTheRoomsThatItNamesAndNoOther();
   void aForbiddenIncludeDoesNotCompile();
   void noFileStepsAroundTheWalls();
-  void noTopicAndNoBackEndIsNamedWhereRobotsAreAlike();
+  void noTopicIsNamedWhereRobotsAreAlike();
+  void aBackEndIsNamedOnlyWhereRobotsAreMade();
   void theDocumentTellsTheSameWalls();
   void thePictureShowsTheSameRooms();
   void noFeatureOfTheWindowKnowsAnother();
@@ -202,7 +203,7 @@ void TestWalls::everyNumberIsTypedInOurOwnFields() {
   }
 }
 
-void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {
+void TestWalls::noTopicIsNamedWhereRobotsAreAlike() {
   const QString sources = QStringLiteral(MAPWRIGHT_SOURCES "/");
   static const QRegularExpression literal(QStringLiteral("\"(/[a-z0-9_/]+)\""));
   QSet<QString> topics;
@@ -210,7 +211,6 @@ void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {
       QString::fromUtf8(contentOf(sources + QStringLiteral("src/robot/axbot/topic_table.cpp")));
   for (auto it = literal.globalMatch(table); it.hasNext();) topics << it.next().captured(1);
   QVERIFY(topics.contains(QStringLiteral("/map_v2")) && topics.size() > 30);
-  static const QRegularExpression back_end(QStringLiteral("robot(/|::)(axbot|aimdk)\\b|\\bBackend::"));
   for (const char* top : {"ui", "src/session", "src/sentences", "app"}) {
     QDirIterator it(sources + QLatin1String(top), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
                     QDir::Files, QDirIterator::Subdirectories);
@@ -222,9 +222,40 @@ void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {
         const QString name = found.next().captured(1);
         QVERIFY2(!topics.contains(name), qPrintable(path + QLatin1String(": ") + name));
       }
-      // The composition root makes them.
-      if (qstrcmp(top, "app") != 0) QVERIFY2(!text.contains(back_end), qPrintable(path));
     }
+  }
+}
+
+void TestWalls::aBackEndIsNamedOnlyWhereRobotsAreMade() {
+  const QString kRobots = QStringLiteral("src/robot/");
+  QStringList back_ends, users;
+  for (const Room& room : roomsOfTheBuild()) {
+    if (room.folder.startsWith(kRobots)) back_ends << room.name;
+  }
+  QCOMPARE(sorted(back_ends).join(QLatin1Char(' ')), QStringLiteral("aimdk axbot files recorded ros wire"));
+  back_ends << QStringLiteral("simulator");
+  for (const Room& room : roomsOfTheBuild()) {
+    for (const QString& used : room.uses) {
+      if (back_ends.contains(used) && !room.folder.startsWith(kRobots))
+        users << room.folder + QLatin1Char('/') + used;
+    }
+  }
+  // Excerpts of a recording are written as it is read.
+  QCOMPARE(
+      sorted(users).join(QLatin1Char(' ')),
+      QStringLiteral(
+          "app/aimdk app/axbot app/files app/recorded app/ros app/simulator app/wire src/excerpt/recorded"));
+  // In `app` one file makes all of them, and one command runs the simulator.
+  const QRegularExpression named(
+      QStringLiteral("\\brobot(/|::)(%1)\\b").arg(back_ends.join(QLatin1Char('|'))));
+  const QRegularExpression simulator(QStringLiteral("#include \"simulator/"));
+  const QDir app(QStringLiteral(MAPWRIGHT_SOURCES "/app"));
+  for (const QString& file : app.entryList({QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files)) {
+    const QString text = QString::fromUtf8(contentOf(app.filePath(file)));
+    const bool makes_robots = file.startsWith(QLatin1String("robot_factory."));
+    const bool simulates = makes_robots || file == QLatin1String("simulate.cpp");
+    QVERIFY2(makes_robots || !text.contains(named), qPrintable(file));
+    QVERIFY2(simulates || !text.contains(simulator), qPrintable(file));
   }
 }
 

@@ -2,8 +2,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "robot/faults.h"
 #include "robot/map_dispatch.h"
-#include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
 #include "test_program.h"
@@ -232,7 +232,7 @@ class RosProjectionsTest : public QObject {
     // Nothing has come, and nobody tells whether there is anything.
     const auto unknown = askProjections();
     QVERIFY(!unknown);
-    QCOMPARE(unknown.error().cause.code, robot::ros::fault::ProjectionsNotTold);
+    QCOMPARE(unknown.error().cause.code, robot::fault::ProjectionsNotTold);
     server_->latch(text("/d/projected_map_0"), projected(0));
     server_->latch(text("/d/projected_map_1"), projected(3));
     QTRY_COMPARE_WITH_TIMEOUT(dispatch()->projected().size(), std::size_t(2), kPatienceMs);

@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 
+#include "excerpt/time_typed.h"
 #include "jobs/export_map.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
@@ -174,7 +175,7 @@ void RangeExportDialog::say(const QString& sentence, bool bad) {
 std::optional<double> RangeExportDialog::time(const QLineEdit* edit, const QString& shown,
                                               double meant_s) const {
   if (edit->text() == shown) return meant_s;
-  return timeTyped(edit->text(), offer_.first_s, offer_.last_s);
+  return excerpt::timeTyped(edit->text(), offer_.first_s, offer_.last_s);
 }
 
 std::optional<excerpt::TimeSpan> RangeExportDialog::span() const {
@@ -249,6 +250,7 @@ void RangeExportDialog::start() {
   order.path = path.toStdString();
   order.span = *span();
   order.address = offer_.address.toStdString();
+  order.robot_kind = offer_.robot_kind;
   order.bag = offer_.source.key.name;
   say({});
   job_ = std::make_unique<excerpt::ExcerptJob>(offer_.source, std::move(order), offer_.workers);

@@ -22,6 +22,7 @@ namespace mapwright::window {
 struct RangeOffer {
   excerpt::ExcerptJob::Source source;
   QString address;                           // of the robot, or the file
+  std::string robot_kind;                    // robot::Addresses::kindOf(address)
   QString name;                              // of the bag; untrusted
   double first_s = 0, last_s = 0;            // its time range
   std::optional<replay::Player::Loop> loop;  // proposed, where there is one

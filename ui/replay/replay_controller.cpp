@@ -184,6 +184,7 @@ void ReplayController::exportRange() {
   RangeOffer offer;
   offer.source = {session->robot().bagLibrary(), reading->key(), {}};
   offer.address = robot->address();
+  offer.robot_kind = context_.addresses.kindOf(offer.address);
   const auto address = context_.addresses.parse(offer.address);
   if (reading->key().kind == robot::BagKind::File && address)
     offer.source.recording = address->path.toStdString();

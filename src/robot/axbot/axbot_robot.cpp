@@ -4,6 +4,8 @@
 
 #include <QPointer>
 
+#include "robot/axbot/parse_topics.h"
+
 namespace mapwright::robot::axbot {
 
 std::optional<Obstacle> Administration::obstacle(MapChange change, const map::CatalogueEntry* map) const {
@@ -100,6 +102,10 @@ void AxbotRobot::onTopic(const map::StampedMessage& stamped) {
   Q_EMIT topicReceived(stamped);
   if (alive && other_state) Q_EMIT capabilitiesChanged();
   if (alive && other_map) Q_EMIT mapsChanged();
+}
+
+std::optional<std::string> AxbotRobot::jsonOf(const Delivery& message) const {
+  return message.encoding == "protobuf" ? jsonOfBinaryBody(message.bytes) : std::nullopt;
 }
 
 }  // namespace mapwright::robot::axbot

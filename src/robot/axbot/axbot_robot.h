@@ -150,6 +150,7 @@ class AxbotRobot : public wire::NetworkRobot {
   Localization* localization() override { return &pose_setting_; }
   MapTransfer* mapTransfer() override { return &transfer_; }
   Absence unavailableReason(Capability capability) const override;
+  std::optional<std::string> jsonOf(const Delivery& message) const override;
 
  private:
   AxbotRobot(QString address, wire::StartedLink<AxbotLink> started, QObject* parent);

@@ -57,8 +57,6 @@ inline constexpr FaultCode AnswerIsEmpty{"axbot", QT_TRANSLATE_NOOP("axbot", "th
 // Bags.
 /// what is wrong with the range that was asked for
 inline constexpr FaultCode BagNotAsked{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 is not a time range")};
-/// path, the system's words
-inline constexpr FaultCode BagFileNotWritten{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 cannot be written: %2")};
 /// bytes that came, bytes as announced
 inline constexpr FaultCode BagFileOfOtherSize{
     "axbot", QT_TRANSLATE_NOOP("axbot", "%1 bytes arrived, but the robot says that it has %2")};

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 
 #include "robot/axbot/faults.h"
+#include "robot/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/net_results.h"
 
@@ -65,7 +66,7 @@ struct Download {
     return {.kind = map::FailureKind::Unsupported,
             .subject = order.subject,
             .reason = map::FailureReason::Unfit,
-            .cause = {fault::BagFileNotWritten, {order.path.toStdString(), why.toStdString()}}};
+            .cause = {robot::fault::BagFileNotWritten, {order.path.toStdString(), why.toStdString()}}};
   }
   void end(map::Failure failure) {
     // An empty part does not count.

@@ -7,6 +7,7 @@
 #include <QCryptographicHash>
 #include <QPointer>
 
+#include "robot/faults.h"
 #include "robot/ros/dispatch_messages.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/ros_calls.h"
@@ -485,7 +486,7 @@ void DispatchRequests::end(const WatchPtr& watch, wire::WaitList::End how) {
     if (watch->listed && tried() == 0) {
       failure = map::Failure{.kind = map::FailureKind::Unsupported,
                              .reason = map::FailureReason::Unfit,
-                             .cause = {fault::ProjectionsNotTold}};
+                             .cause = {robot::fault::ProjectionsNotTold}};
     }
   }
   if (!failure) return watch->reply(shown());

@@ -130,11 +130,6 @@ inline constexpr FaultCode ProjectionMeansNothing{
     QT_TRANSLATE_NOOP("ros",
                       "Nothing was sent to the robot: the position and heights of a projection must be "
                       "numbers, its size greater than 0 m, and its lower height below the upper one.")};
-inline constexpr FaultCode ProjectionsNotTold{
-    "ros", QT_TRANSLATE_NOOP(
-               "ros",
-               "Its projections are unknown: it does not list its topics and services (its node rosapi is "
-               "not running), and nothing has arrived on the usual topics (projected_map_0 and so on).")};
 
 inline constexpr FaultCode WholeMapNotFetched{
     "ros", QT_TRANSLATE_NOOP(
@@ -147,10 +142,6 @@ inline constexpr FaultCode LinkBrokeOff{"ros", QT_TRANSLATE_NOOP("ros", "the con
 inline constexpr FaultCode AnswerWithoutResult{"ros",
                                                QT_TRANSLATE_NOOP("ros", "the answer contains no result")};
 inline constexpr FaultCode ResultMapUnknown{"ros", QT_TRANSLATE_NOOP("ros", "it has no such map")};
-/// name
-inline constexpr FaultCode ResultNameTaken{
-    "ros",
-    QT_TRANSLATE_NOOP("ros", "another waypoint of this map is called \"%1\", too; rename one of the two")};
 inline constexpr FaultCode ResultUndefined{"ros", QT_TRANSLATE_NOOP("ros", "it failed without saying why")};
 inline constexpr FaultCode ResultInvalid{"ros", QT_TRANSLATE_NOOP("ros", "it considers the request invalid")};
 /// name

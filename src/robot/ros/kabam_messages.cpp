@@ -13,6 +13,7 @@
 
 #include "geometry/pose.h"
 #include "map/waypoint.h"
+#include "robot/faults.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/transforms.h"
 #include "robot/wire/faults.h"
@@ -106,7 +107,7 @@ constexpr Code kOfWaypoints[] = {
     {3},  // updated
     {5},  // deleted
     {1, fault::ResultMapUnknown},
-    {2, fault::ResultNameTaken, true},
+    {2, robot::fault::WaypointNameTaken, true},
     {4, faultText("ros", "the waypoint no longer exists"), false,
      FailureKind::Conflict},  // somebody else has deleted it
     {6, fault::ResultUndefined},
