@@ -10,11 +10,11 @@
 #include <QTimer>
 
 #include "app/command_text.h"
+#include "excerpt/time_typed.h"
 #include "incident/report.h"
 #include "map/failure.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
-#include "ui/replay/timeline_axis.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -57,13 +57,13 @@ void addTime(CLI::App& command, const std::string& name, std::string& word, Need
 
 bool isTime(const std::string& word) {
   constexpr double kSpanS = 4e9;  // any clock time is in there
-  return window::absoluteTimeTyped(text(word), 0) || window::timeTyped(text(word), 0, kSpanS);
+  return excerpt::absoluteTimeTyped(text(word), 0) || excerpt::timeTyped(text(word), 0, kSpanS);
 }
 
 CommandResult<double> timeFrom(const std::string& word, const QString& option, const robot::BagInfo& bag) {
-  if (const auto at_s = window::absoluteTimeTyped(text(word), bag.start_s)) return *at_s;
+  if (const auto at_s = excerpt::absoluteTimeTyped(text(word), bag.start_s)) return *at_s;
   if (bag.messages.value_or(0) == 0 && bag.end_s <= 0) return wrong(Text::tr("It contains no messages."));
-  if (const auto at_s = window::timeTyped(text(word), bag.start_s, bag.end_s)) return *at_s;
+  if (const auto at_s = excerpt::timeTyped(text(word), bag.start_s, bag.end_s)) return *at_s;
   return wrong(Text::tr("%1 %2 is not within the recording: it lasts from %3 to %4 UTC.")
                    .arg(option, text(word), incident::utcText(bag.start_s), incident::utcText(bag.end_s)));
 }
@@ -85,7 +85,7 @@ CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args, const r
 CommandResult<double> timeIn(const RobotArguments& args, const QString& address, const std::string& bag,
                              const std::string& word, const QString& option) {
   constexpr double kAnyYearS = 1e9;
-  if (const auto at_s = window::absoluteTimeTyped(text(word), kAnyYearS)) return *at_s;
+  if (const auto at_s = excerpt::absoluteTimeTyped(text(word), kAnyYearS)) return *at_s;
   RobotCommand look(args);
   auto bags = BagReading::open(look, address);
   if (!bags) return passOn(bags);

@@ -86,7 +86,7 @@ class BagReading {
 /// Adds an option for a time of a recording; words that can be none are refused.
 enum class Needed { No, Yes };
 void addTime(CLI::App& command, const std::string& name, std::string& word, Needed needed = Needed::No);
-/// Such a time of `bag`, as it is typed in the window (window::timeTyped); with its day, or in seconds since
+/// Such a time of `bag`, as it is typed in the window (excerpt::timeTyped); with its day, or in seconds since
 /// 1970, it may lie outside. The error names the option.
 CommandResult<double> timeFrom(const std::string& word, const QString& option, const robot::BagInfo& bag);
 /// --from and --to.

@@ -22,7 +22,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "session/submaps_complete.h"
-#include "ui/replay/track_on_map.h"
+#include "ui/view/track_of_bag.h"
 
 namespace mapwright::app {
 namespace {

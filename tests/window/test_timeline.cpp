@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "excerpt/time_typed.h"
 #include "sentences/event_sentence.h"
 #include "test_program.h"
 #include "ui/replay/timeline_axis.h"
@@ -113,29 +114,29 @@ class TestTimeline : public QObject {
   void readsTheTimesThatPeopleType() {
     QFETCH(QString, typed);
     QFETCH(double, after_start_s);
-    const auto read = timeTyped(typed, kStart, kEnd);
+    const auto read = excerpt::timeTyped(typed, kStart, kEnd);
     QVERIFY(read);
     QVERIFY2(std::abs(*read - (kStart + after_start_s)) < 1e-3, qPrintable(QString::number(*read - kStart)));
   }
 
   void aNumberIsAStampWhereStampsBeginAtZero() {
-    QCOMPARE(timeTyped(QStringLiteral("12.5"), 3, 60), std::optional(12.5));
-    QCOMPARE(timeTyped(QStringLiteral("+12.5"), 3, 60), std::optional(15.5));
-    QVERIFY(!timeTyped(QStringLiteral("2"), 3, 60));
+    QCOMPARE(excerpt::timeTyped(QStringLiteral("12.5"), 3, 60), std::optional(12.5));
+    QCOMPARE(excerpt::timeTyped(QStringLiteral("+12.5"), 3, 60), std::optional(15.5));
+    QVERIFY(!excerpt::timeTyped(QStringLiteral("2"), 3, 60));
   }
 
   void takesNothingElseForATime() {
     for (const char* typed : {"", "noon", "25:00", "14:61", "14:00:00", "2023-10-30 14:40:17", "+601", "-601",
                               "nan", "inf", "+-3", "1e99", "1698762000", "14:40:17:00", "+99999999999999"})
-      QVERIFY2(!timeTyped(QString::fromLatin1(typed), kStart, kEnd), typed);
+      QVERIFY2(!excerpt::timeTyped(QString::fromLatin1(typed), kStart, kEnd), typed);
   }
 
   void aClockTimeIsOfTheDayThatTheBagReaches() {
     // 23:50 to 00:10
     const double from_s = 1'698'796'200, until_s = from_s + 1200;
-    QCOMPARE(timeTyped(QStringLiteral("23:55:00"), from_s, until_s), std::optional(from_s + 300));
-    QCOMPARE(timeTyped(QStringLiteral("00:05:00"), from_s, until_s), std::optional(from_s + 900));
-    QVERIFY(!timeTyped(QStringLiteral("12:00:00"), from_s, until_s));
+    QCOMPARE(excerpt::timeTyped(QStringLiteral("23:55:00"), from_s, until_s), std::optional(from_s + 300));
+    QCOMPARE(excerpt::timeTyped(QStringLiteral("00:05:00"), from_s, until_s), std::optional(from_s + 900));
+    QVERIFY(!excerpt::timeTyped(QStringLiteral("12:00:00"), from_s, until_s));
   }
 
   void showsTimesAsTheyAreTyped() {
@@ -146,7 +147,7 @@ class TestTimeline : public QObject {
     QCOMPARE(elapsedText(12.56), QStringLiteral("0:12.5"));
     QCOMPARE(elapsedText(3723), QStringLiteral("1:02:03.0"));
     QVERIFY(!clockText(std::numeric_limits<double>::infinity()).isEmpty());
-    QCOMPARE(timeTyped(clockText(kStart), kStart, kEnd), std::optional(kStart));
+    QCOMPARE(excerpt::timeTyped(clockText(kStart), kStart, kEnd), std::optional(kStart));
   }
 
   void readsSpeedsWithinTheirBounds() {

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "excerpt/time_typed.h"
 #include "sentences/failure_sentence.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -336,7 +337,7 @@ void TimelineDock::onState() {
 }
 
 void TimelineDock::applyTyped(bool play_until) {
-  const auto at_s = timeTyped(time_->text(), clock_.start(), clock_.end());
+  const auto at_s = excerpt::timeTyped(time_->text(), clock_.start(), clock_.end());
   if (!at_s) {
     QToolTip::showText(time_->mapToGlobal(QPoint(0, -time_->height())),
                        plainToolTip(tr("This is not a time between %1 and %2.")

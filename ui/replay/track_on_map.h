@@ -1,21 +1,15 @@
 // Shows the robot's path through the bag on the map, as far as it has been read. GUI-thread object.
 #pragma once
 
-#include <memory>
-
 #include <QObject>
 #include <QTimer>
 
 #include "geometry/rect.h"
-#include "replay/reading.h"
 #include "scene/map_scene.h"
 
 namespace mapwright::window {
 
 class ReplayClock;
-
-/// The path as far as it has been read.
-std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading);
 
 class TrackOnMap : public QObject {
   Q_OBJECT
