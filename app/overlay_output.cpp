@@ -5,8 +5,8 @@
 
 #include "app/command_text.h"
 #include "app/output.h"
+#include "overlays/overlay_sentence.h"
 #include "sentences/fault_sentence.h"
-#include "sentences/overlay_sentence.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -82,7 +82,7 @@ void printChanges(const std::vector<OverlayChange>& changes, const OverlayDocume
   for (const OverlayChange& change : changes) {
     table.push_back({wordOf(change.kind),
                      change.id.empty() ? QStringLiteral("-") : words::plainName(change.id),
-                     sentences::changeText(change, before, after)});
+                     overlays::changeText(change, before, after)});
   }
   printTable(table);
 }
@@ -93,11 +93,11 @@ void printConflicts(const std::vector<OverlayConflict>& conflicts) {
       {Text::tr("CONFLICT"), Text::tr("BASE"), Text::tr("MINE"), Text::tr("THEIRS"), Text::tr("NAME")}};
   for (const OverlayConflict& conflict : conflicts) {
     const auto shown = [&](const std::optional<std::string>& json) {
-      return sentences::valueText(conflict.part, json);
+      return overlays::valueText(conflict.part, json);
     };
-    table.push_back({sentences::partName(conflict.part),
+    table.push_back({overlays::partName(conflict.part),
                      conflict.base ? shown(conflict.base) : Text::tr("(not there)"), shown(conflict.mine),
-                     shown(conflict.theirs), sentences::featureCalled(conflict.id, conflict.name)});
+                     shown(conflict.theirs), overlays::featureCalled(conflict.id, conflict.name)});
   }
   printTable(table);
 }
@@ -129,7 +129,7 @@ void printFlaws(const OverlayDocument& document, const std::vector<overlays::Fla
     table.push_back({text(std::string(overlays::nameOf(flaw.rule))),
                      flaw.at_m ? metres(flaw.at_m->x()) : QStringLiteral("-"),
                      flaw.at_m ? metres(flaw.at_m->y()) : QStringLiteral("-"),
-                     oneLine(sentences::featureCalled(feature.id(), feature.name()), 40),
+                     oneLine(overlays::featureCalled(feature.id(), feature.name()), 40),
                      words::plainName(sentences::sentenceOf(flaw.why))});
   }
   printTable(table);

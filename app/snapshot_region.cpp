@@ -6,10 +6,10 @@
 
 #include "app/command_text.h"
 #include "app/snapshot.h"
+#include "regions/region_sentence.h"
 #include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/region_sentence.h"
 
 namespace mapwright::app {
 
@@ -53,7 +53,7 @@ CommandResult<QStringList> RegionSnapshot::notes(const QString& link) const {
   };
   if (fetch_ && fetch_->tooLarge())
     return wrong(Text::tr("--region is too large: it has more cells than can be fetched for one picture."));
-  const QString trouble = fetch_ ? sentences::sentenceOf(fetch_->trouble()) : QString();
+  const QString trouble = fetch_ ? regions::sentenceOf(fetch_->trouble()) : QString();
   const regions::RegionCounts counts = fetch_ ? fetch_->counts() : regions::RegionCounts{};
   if (counts.answered == 0 && !(fetch_ && regions().holdsAnyOf(rect_))) {
     const bool failed = over() && fetch_->trouble().kind == regions::RegionTrouble::Kind::Failed;

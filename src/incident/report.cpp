@@ -11,7 +11,7 @@
 #include "geometry/pose.h"
 #include "map/safety.h"
 #include "page/page.h"
-#include "sentences/event_sentence.h"
+#include "replay/event_sentence.h"
 #include "sentences/overlay_name.h"
 #include "sentences/plural.h"
 #include "sentences/problem_sentence.h"
@@ -312,7 +312,7 @@ void writeEvents(page::Page& page, const Run& run) {
   for (const replay::Event* const event : shown) {
     if (event->at_s > run.at_s && !std::exchange(told, true))
       row(run.at_s, {ReportText::tr("the moment of this report"), Tone::Muted});
-    const QString words = named(sentences::eventText(*event));
+    const QString words = named(replay::eventText(*event));
     row(event->at_s, {beganBefore(*event, run)
                           ? ReportText::tr("%1 (was there already when the recording begins)").arg(words)
                           : words,

@@ -8,8 +8,8 @@
 #include <QStringList>
 
 #include "jobs/faults.h"
+#include "overlays/overlay_sentence.h"
 #include "sentences/fault_sentence.h"
-#include "sentences/overlay_sentence.h"
 
 namespace mapwright::jobs {
 namespace {
@@ -211,7 +211,7 @@ QString doubtOf(const OverlayOutcome& outcome) {
   }
   if (!outcome.differs.empty()) {
     sentences << OverlaysText::tr("The robot has something other than what was sent (%1).")
-                     .arg(sentences::featuresCalled(outcome.differs));
+                     .arg(overlays::featuresCalled(outcome.differs));
     if (outcome.held.version && outcome.held.version == outcome.before.version)
       sentences << OverlaysText::tr(
           "It has not counted a change yet and may still make it. Check again in a moment.");

@@ -10,8 +10,8 @@
 #include "compare/comparison_sentence.h"
 #include "compare/picture_view.h"
 #include "overlays/overlay_merge.h"
+#include "overlays/overlay_sentence.h"
 #include "overlays/overlay_shapes.h"
-#include "sentences/overlay_sentence.h"
 #include "sentences/plural.h"
 #include "words/figures.h"
 #include "words/qt_plain.h"
@@ -203,7 +203,7 @@ geometry::WorldRect boxOf(const overlays::Feature& feature, const Facts& facts) 
   }
   if (feature.shape() != overlays::Shape::Point) return bounds;
   return withName(bounds,
-                  feature.name().empty() ? sentences::overlayKind(feature) : sentences::overlayName(feature),
+                  feature.name().empty() ? overlays::overlayKind(feature) : overlays::overlayName(feature),
                   facts.view);
 }
 
@@ -216,7 +216,7 @@ void compareOverlays(const Facts& before, const Facts& after, std::vector<FactCh
     const overlays::Feature& feature = change.to ? is->features()[*change.to] : was->features()[*change.from];
     std::erase_if(change.parts, [&](const overlays::PartChange& one) { return !isDrawn(one.part, feature); });
     if (change.kind == overlays::ChangeKind::Change && change.parts.empty()) continue;
-    FactChange made{sentences::changeText(change, *was, *is, sentences::Telling::Event), {}};
+    FactChange made{overlays::changeText(change, *was, *is, overlays::Telling::Event), {}};
     if (change.from) made.where.push_back(boxOf(was->features()[*change.from], before));
     if (change.to) made.where.push_back(boxOf(is->features()[*change.to], after));
     made.moves_names = feature.shape() != overlays::Shape::Line;

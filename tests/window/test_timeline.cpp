@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "excerpt/time_typed.h"
-#include "sentences/event_sentence.h"
+#include "replay/event_sentence.h"
 #include "test_program.h"
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"
@@ -219,9 +219,9 @@ class TestTimeline : public QObject {
     Event event = at(1, EventKind::AlertBegan);
     event.code = 1001;
     event.text = "<b>stuck</b>\nhere\u202e";
-    QCOMPARE(sentences::eventText(event), QStringLiteral("Alert 1001: <b>stuck</b> here"));
+    QCOMPARE(replay::eventText(event), QStringLiteral("Alert 1001: <b>stuck</b> here"));
     event.text = std::string(100'000, 'x');
-    QVERIFY(sentences::eventText(event).size() < 200);
+    QVERIFY(replay::eventText(event).size() < 200);
   }
 };
 

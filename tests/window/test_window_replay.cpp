@@ -19,11 +19,11 @@
 #include "incident/report.h"
 #include "recorder/layout.h"
 #include "recording/source.h"
+#include "replay/event_sentence.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/files/file_address.h"
 #include "robot/recorded/recorded_robot.h"
-#include "sentences/event_sentence.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
@@ -671,7 +671,7 @@ class TestWindowReplay : public QObject {
     const auto* const first = nextEvent(events, desk.clock().start(), 1);
     QVERIFY(first);
     NEAR(desk.clock().at(), first->at_s, 1e-6);
-    QVERIFY(desk.axis().wordsAt(desk.pixelOf(first->at_s)).contains(sentences::eventText(*first)));
+    QVERIFY(desk.axis().wordsAt(desk.pixelOf(first->at_s)).contains(replay::eventText(*first)));
     desk.key(Qt::Key_End);
     desk.key(Qt::Key_PageUp);
     NEAR(desk.clock().at(), nextEvent(events, desk.clock().end(), -1)->at_s, 1e-6);
@@ -761,7 +761,7 @@ class TestWindowReplay : public QObject {
     const QStringList lines =
         QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), int(events.size()));
-    QVERIFY(lines.front().contains(sentences::eventText(events.front())));
+    QVERIFY(lines.front().contains(replay::eventText(events.front())));
     QVERIFY(lines.front().contains(clockText(events.front().at_s)));
 
     // Without the replay it is empty, and stays where the user has it.

@@ -1,17 +1,17 @@
-// Overlays in words (sentences/overlay_sentence.h), as this room calls them.
+// Overlays in words (overlays/overlay_sentence.h), as this room calls them.
 #pragma once
 
-#include "sentences/overlay_sentence.h"
+#include "overlays/overlay_sentence.h"
 
 namespace mapwright::window {
 
-using sentences::changeText;
-using sentences::featuresText;
-using sentences::overlayCalled;
-using sentences::overlayChangesText;
-using sentences::overlayKind;
-using sentences::overlayName;
-using sentences::partName;
-using sentences::valueText;
+using overlays::changeText;
+using overlays::featuresText;
+using overlays::overlayCalled;
+using overlays::overlayChangesText;
+using overlays::overlayKind;
+using overlays::overlayName;
+using overlays::partName;
+using overlays::valueText;
 
 }  // namespace mapwright::window

@@ -10,8 +10,8 @@
 #include <QTime>
 
 #include "jobs/export_map.h"
+#include "regions/region_sentence.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/region_sentence.h"
 #include "ui/kit/folders.h"
 #include "ui/regions/regions_text.h"
 #include "ui/shell/current_session.h"
@@ -134,7 +134,7 @@ void MapFetch::endWhole(const robot::Outcome<map::GridPart>& outcome) {
                          .arg(QString::fromStdString(sentences::sentenceOf(outcome.error()))));
   } else if (const auto flaw = regions::flawOf(*outcome); flaw != regions::Misfit::None) {
     const regions::RegionTrouble trouble{regions::RegionTrouble::Kind::Misplaced, {}, flaw};
-    toast(Mark::Bad, tr("The whole map was not fetched: %1").arg(sentences::sentenceOf(trouble)));
+    toast(Mark::Bad, tr("The whole map was not fetched: %1").arg(regions::sentenceOf(trouble)));
   } else {
     show([cells = outcome->cells] { return cells; }, outcome->grid, tr("Whole map"));
   }
@@ -224,7 +224,7 @@ void MapFetch::endRectangle() {
     return toast(Mark::Bad, tr("This region is too large to be fetched at once: %1")
                                 .arg(rectangleText(fetch->map().regions(), fetch->rect())));
   }
-  const QString why = sentences::sentenceOf(fetch->trouble());
+  const QString why = regions::sentenceOf(fetch->trouble());
   const regions::RegionCounts counts = fetch->counts();
   const regions::FetchedGrid fetched = regions::cutOut(fetch->map().regions().sheets(), fetch->rect());
   if (!fetched.cells) {

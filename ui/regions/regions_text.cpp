@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "sentences/region_sentence.h"
+#include "regions/region_sentence.h"
 
 namespace mapwright::window {
 namespace {
@@ -138,7 +138,7 @@ QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& worl
        map.answeredIn(geometry::WorldRect{world_m.x(), world_m.y(), world_m.x(), world_m.y()}.grown(1e-3))) {
     if (!region && one.rect.contains(world_m)) region = one;
   }
-  const QString why = region ? sentences::sentenceOf(region->trouble) : QString();
+  const QString why = region ? regions::sentenceOf(region->trouble) : QString();
   if (region && region->state == RegionState::Held) {
     if (region->trouble.kind == kNone) return {};
     return MapByRegionsText::tr("Old: this region could not be fetched again. %1").arg(why);
@@ -157,7 +157,7 @@ QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& worl
   if (region) return MapByRegionsText::tr("Not fetched yet: this region is waiting for the ones before it.");
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone)
     return MapByRegionsText::tr("No region of the map could be fetched: %1")
-        .arg(sentences::sentenceOf(trouble));
+        .arg(regions::sentenceOf(trouble));
   return MapByRegionsText::tr("Not fetched yet: waiting for the robot's first answer.");
 }
 
@@ -186,7 +186,7 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone) {
     return {
         Mark::Bad,
-        MapByRegionsText::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble)),
+        MapByRegionsText::tr("No region of the map could be fetched: %1").arg(regions::sentenceOf(trouble)),
         Offer::Retry};
   }
   const int failed = map.counts().failed;
@@ -198,7 +198,7 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
   if (failed == 0) return {};
   QString why;
   for (const regions::RegionView& region : map.inView()) {
-    if (why.isEmpty()) why = sentences::sentenceOf(region.trouble);
+    if (why.isEmpty()) why = regions::sentenceOf(region.trouble);
   }
   return {Mark::Warning,
           MapByRegionsText::tr(

@@ -15,7 +15,7 @@
 #include <QTableView>
 #include <QToolButton>
 
-#include "sentences/event_sentence.h"
+#include "replay/event_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
@@ -45,7 +45,7 @@ std::string quotedField(const QString& text) {
 
 bool EventsModel::passes(const Event& event) const {
   if (filter_.group && replay::groupOf(event.kind) != *filter_.group) return false;
-  return filter_.text.isEmpty() || sentences::eventText(event).contains(filter_.text, Qt::CaseInsensitive) ||
+  return filter_.text.isEmpty() || replay::eventText(event).contains(filter_.text, Qt::CaseInsensitive) ||
          kindName(event.kind).contains(filter_.text, Qt::CaseInsensitive);
 }
 
@@ -131,7 +131,7 @@ QString EventsModel::text(const Event& event, int column) const {
     case KindColumn:
       return kindName(event.kind);
     default:
-      return sentences::eventText(event);
+      return replay::eventText(event);
   }
 }
 
@@ -143,9 +143,8 @@ QVariant EventsModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return text(*event, index.column());
     case Qt::ToolTipRole:
-      return plainToolTip(
-          QStringLiteral("%1 %2\n%3")
-              .arg(dayText(event->at_s), clockText(event->at_s), sentences::eventText(*event)));
+      return plainToolTip(QStringLiteral("%1 %2\n%3")
+                              .arg(dayText(event->at_s), clockText(event->at_s), replay::eventText(*event)));
     case Qt::TextAlignmentRole:
       return int((index.column() == SinceColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::DecorationRole:
@@ -200,7 +199,7 @@ std::string EventsModel::csv() const {
     csv += QByteArray::number(event.at_s, 'f', 6).toStdString() + ',' + dayText(event.at_s).toStdString() +
            'T' + clockText(event.at_s).toStdString() + "Z," +
            QByteArray::number(event.at_s - start_s_, 'f', 3).toStdString() + ',' +
-           quotedField(kindName(event.kind)) + ',' + quotedField(sentences::eventText(event)) + "\r\n";
+           quotedField(kindName(event.kind)) + ',' + quotedField(replay::eventText(event)) + "\r\n";
   }
   return csv;
 }

@@ -15,7 +15,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "sentences/event_sentence.h"
+#include "replay/event_sentence.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 
@@ -142,7 +142,7 @@ QString TimelineView::wordsAt(const QPointF& px) const {
         ++more;
         continue;
       }
-      lines << QStringLiteral("%1  %2").arg(clockText(shown_[i].at_s), sentences::eventText(shown_[i]));
+      lines << QStringLiteral("%1  %2").arg(clockText(shown_[i].at_s), replay::eventText(shown_[i]));
     }
   }
   if (more > 0) lines << tr("and %1 more").arg(more);

@@ -1,18 +1,17 @@
-#include "sentences/region_sentence.h"
+#include "regions/region_sentence.h"
 
 #include <QCoreApplication>
 
 #include "sentences/failure_sentence.h"
 
-namespace mapwright::sentences {
+namespace mapwright::regions {
 namespace {
 
 class RegionsText {
   Q_DECLARE_TR_FUNCTIONS(Regions)
 };
 
-QString misfitSentence(regions::Misfit misfit) {
-  using regions::Misfit;
+QString misfitSentence(Misfit misfit) {
   switch (misfit) {
     case Misfit::None:
       break;
@@ -30,13 +29,13 @@ QString misfitSentence(regions::Misfit misfit) {
 
 }  // namespace
 
-QString sentenceOf(const regions::RegionTrouble& trouble) {
-  using Kind = regions::RegionTrouble::Kind;
+QString sentenceOf(const RegionTrouble& trouble) {
+  using Kind = RegionTrouble::Kind;
   switch (trouble.kind) {
     case Kind::None:
       break;
     case Kind::Failed:
-      return QString::fromStdString(sentenceOf(trouble.failure));
+      return QString::fromStdString(sentences::sentenceOf(trouble.failure));
     case Kind::Elsewhere:
       return RegionsText::tr("The robot answered with another region.");
     case Kind::Misplaced:
@@ -45,4 +44,4 @@ QString sentenceOf(const regions::RegionTrouble& trouble) {
   return {};
 }
 
-}  // namespace mapwright::sentences
+}  // namespace mapwright::regions

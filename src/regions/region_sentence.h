@@ -5,9 +5,9 @@
 
 #include "regions/region_plan.h"
 
-namespace mapwright::sentences {
+namespace mapwright::regions {
 
 /// "It answered with another region." Plain text; empty = nothing is wrong.
-QString sentenceOf(const regions::RegionTrouble& trouble);
+QString sentenceOf(const RegionTrouble& trouble);
 
-}  // namespace mapwright::sentences
+}  // namespace mapwright::regions

@@ -1,13 +1,11 @@
-#include "sentences/event_sentence.h"
+#include "replay/event_sentence.h"
 
 #include <QCoreApplication>
 
 #include "words/qt_plain.h"
 
-namespace mapwright::sentences {
+namespace mapwright::replay {
 namespace {
-
-using replay::EventKind;
 
 class TimelineEventsText {
   Q_DECLARE_TR_FUNCTIONS(TimelineEvents)
@@ -17,7 +15,7 @@ constexpr qsizetype kEventTextLength = 120;
 
 }  // namespace
 
-QString eventText(const replay::Event& event) {
+QString eventText(const Event& event) {
   const QString text = words::plainName(event.text).left(kEventTextLength);
   switch (event.kind) {
     case EventKind::AlertBegan:
@@ -48,4 +46,4 @@ QString eventText(const replay::Event& event) {
   return {};
 }
 
-}  // namespace mapwright::sentences
+}  // namespace mapwright::replay

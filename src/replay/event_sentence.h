@@ -5,9 +5,9 @@
 
 #include "replay/events.h"
 
-namespace mapwright::sentences {
+namespace mapwright::replay {
 
 /// "Alert 1001: blocked", "The position jumped by 2.3 m". One line of plain text.
-QString eventText(const replay::Event& event);
+QString eventText(const Event& event);
 
-}  // namespace mapwright::sentences
+}  // namespace mapwright::replay

@@ -1,4 +1,4 @@
-#include "sentences/overlay_sentence.h"
+#include "overlays/overlay_sentence.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -10,12 +10,11 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::sentences {
+namespace mapwright::overlays {
 namespace {
 
-using overlays::Feature;
-using overlays::Part;
-using overlays::Shape;
+using sentences::counted;
+using sentences::formOf;
 
 struct OverlayText {
   Q_DECLARE_TR_FUNCTIONS(OverlayText)
@@ -24,8 +23,8 @@ struct OverlayText {
 constexpr qsizetype kLongestShown = 60;
 
 /// How far, if all positions of one are those of the other, shifted.
-std::optional<double> movedBy(const Feature& before, const Feature& after) {
-  const auto was = overlays::verticesOf(before), is = overlays::verticesOf(after);
+std::optional<double> distanceMoved(const Feature& before, const Feature& after) {
+  const auto was = verticesOf(before), is = verticesOf(after);
   if (was.empty() || was.size() != is.size() || was[0].empty() || is[0].empty()) return std::nullopt;
   const Eigen::Vector2d by = is[0][0] - was[0][0];
   const double same_m = std::min(1e-3, by.norm() / 2);
@@ -45,9 +44,9 @@ QString metresAt(const Eigen::Vector2d& at_m) {
 
 /// "3 points from 16.50, 3.25 m".
 QString placeText(const std::string& geometry) {
-  const auto shapes = overlays::shapesOf(Feature("{\"geometry\":" + geometry + "}"));
+  const auto shapes = shapesOf(Feature("{\"geometry\":" + geometry + "}"));
   qsizetype count = 0;
-  for (const overlays::Path& path : shapes.paths) count += qsizetype(path.points.size());
+  for (const Path& path : shapes.paths) count += qsizetype(path.points.size());
   const auto first = shapes.somewhere();
   if (!first) return OverlayText::tr("no place");
   if (count == 1) return metresAt(*first);
@@ -57,24 +56,24 @@ QString placeText(const std::string& geometry) {
 
 /// One without a name by where it lies.
 QString calledForSure(const Feature& feature) {
-  const auto at = overlays::shapesOf(feature).somewhere();
+  const auto at = shapesOf(feature).somewhere();
   if (!feature.name().empty() || !at) return overlayCalled(feature);
   return OverlayText::tr("%1 at %2").arg(overlayCalled(feature), metresAt(*at));
 }
 
-QString featureChange(const overlays::OverlayChange& change, const Feature& before, const Feature& after,
+QString featureChange(const OverlayChange& change, const Feature& before, const Feature& after,
                       Telling telling) {
   const auto say = [telling](const QString& deed, const QString& event) {
     return telling == Telling::Deed ? deed : event;
   };
   const QString called = calledForSure(before);
   QStringList parts;
-  for (const overlays::PartChange& each : change.parts) {
+  for (const PartChange& each : change.parts) {
     const Part& part = each.part;
     const bool of_feature = part.of == Part::Of::Property;
     const QString was = valueText(part, each.before), is = valueText(part, each.after);
     if (part.of == Part::Of::Member && part.name == "geometry") {
-      if (const auto by_m = movedBy(before, after)) {
+      if (const auto by_m = distanceMoved(before, after)) {
         parts << say(OverlayText::tr("Move %1 by %2 m"), OverlayText::tr("%1 moved by %2 m"))
                      .arg(called, words::fixed(*by_m, *by_m < 0.01 ? 3 : 2));
       } else {
@@ -83,7 +82,7 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
     } else if (of_feature && part.name == "name") {
       parts << say(OverlayText::tr("Rename %1 to %2"), OverlayText::tr("%1 is called %2 now"))
                    .arg(called, overlayName(after));
-    } else if (of_feature && part.name == overlays::typeProperty(after.shape())) {
+    } else if (of_feature && part.name == typeProperty(after.shape())) {
       parts << say(OverlayText::tr("Make %1 a %2"), OverlayText::tr("%1 became a %2"))
                    .arg(called, overlayKind(after).toLower());
     } else if (of_feature && part.name == "yaw" && each.before && each.after) {
@@ -109,11 +108,11 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
 QString overlayKind(const Feature& feature) {
   switch (feature.shape()) {
     case Shape::Point:
-      return nameOf(map::OverlayShape::Point, feature.type());
+      return sentences::nameOf(map::OverlayShape::Point, feature.type());
     case Shape::Line:
-      return nameOf(map::OverlayShape::Line, feature.type());
+      return sentences::nameOf(map::OverlayShape::Line, feature.type());
     case Shape::Polygon:
-      return nameOf(map::OverlayShape::Polygon, feature.type());
+      return sentences::nameOf(map::OverlayShape::Polygon, feature.type());
     case Shape::None:
     case Shape::Other:
       break;
@@ -140,10 +139,10 @@ QString featureCalled(const std::string& id, const std::string& name) {
   return words::plainName(name.empty() ? id.empty() ? OverlayText::tr("(no id)").toStdString() : id : name);
 }
 
-QString featuresCalled(const std::vector<overlays::OverlayChange>& changes) {
+QString featuresCalled(const std::vector<OverlayChange>& changes) {
   constexpr qsizetype kMost = 5;
   QStringList names;
-  for (const overlays::OverlayChange& change : changes) {
+  for (const OverlayChange& change : changes) {
     if (names.size() == kMost) {
       names << QStringLiteral("…");
       break;
@@ -157,8 +156,8 @@ QString overlayChangesText(qsizetype count) {
   return counted(OverlayText::tr("%1 changes", nullptr, formOf(count)), count);
 }
 
-QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
-                   const overlays::OverlayDocument& after, Telling telling) {
+QString changeText(const OverlayChange& change, const OverlayDocument& before, const OverlayDocument& after,
+                   Telling telling) {
   const bool deed = telling == Telling::Deed;
   if (change.collection) {
     QStringList names;
@@ -196,11 +195,11 @@ QString valueText(const Part& part, const std::optional<std::string>& value) {
   if (!value) return part.of == Part::Of::Whole ? OverlayText::tr("deleted") : OverlayText::tr("none");
   if (part.of == Part::Of::Whole) return OverlayText::tr("kept, with changes");
   if (part.of == Part::Of::Member && part.name == "geometry") return placeText(*value);
-  const auto json = overlays::JsonText::read(*value);
-  const bool is_text = json && json->root().kind() == overlays::JsonKind::String;
+  const auto json = JsonText::read(*value);
+  const bool is_text = json && json->root().kind() == JsonKind::String;
   QString text = words::plainName(is_text ? json->root().string() : *value);
   if (part.name == "yaw" && part.of == Part::Of::Property) text += QChar(0xb0);
   return text.size() > kLongestShown ? text.left(kLongestShown - 1) + QChar(0x2026) : text;
 }
 
-}  // namespace mapwright::sentences
+}  // namespace mapwright::overlays
