@@ -11,9 +11,9 @@ void EditSession::keepDrafts(const EditOptions& options, DocumentDrafts::Kind ki
   connect(drafts_.get(), &DocumentDrafts::remarked, this, &EditSession::remarked);
 }
 
-void EditSession::closeDrafts() {
-  if (drafts_) drafts_->keep();
-  drafts_.reset();
+std::optional<Fault> EditSession::closeDrafts() {
+  const auto drafts = std::exchange(drafts_, nullptr);
+  return drafts ? drafts->keep() : std::nullopt;
 }
 
 }  // namespace mapwright::edit

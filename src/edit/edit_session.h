@@ -28,7 +28,7 @@ class EditSession : public QObject {
   virtual bool saving() const = 0;
   /// Something was changed both here and elsewhere: the user has to decide before it is saved.
   virtual bool inConflict() const = 0;
-  /// It is not known whether what was sent was applied. Ends by itself when it has been read again.
+  /// It is not known whether what was sent was applied. Ends when it has been read again and shows it.
   virtual bool inDoubt() const = 0;
 
   /// Makes the draft that is offered one step called `text`, merged with what is stored now. Without an offer
@@ -36,6 +36,9 @@ class EditSession : public QObject {
   virtual void restoreDraft(const QString& text) = 0;
   /// null: none are kept.
   DocumentDrafts* drafts() const { return drafts_.get(); }
+  /// The draft is written to disk as it is, and no more is kept. Before the document goes, because it is what
+  /// is written. Returns why it was not written.
+  std::optional<Fault> closeDrafts();
 
  Q_SIGNALS:
   void changed();  // its phase, what is under way, its drafts; the document signals its own changes
@@ -47,8 +50,6 @@ class EditSession : public QObject {
  protected:
   /// Keeps a draft from now on. Without a folder for drafts: none.
   void keepDrafts(const EditOptions& options, DocumentDrafts::Kind kind);
-  /// The draft is written to disk as it is. Before the document goes, because it is what is written.
-  void closeDrafts();
 
   Phase phase_ = Phase::Reading;
   std::optional<map::Failure> failure_;

@@ -114,8 +114,9 @@ void EditorController::followDrafts(edit::EditSession& session, QDockWidget* pan
 }
 
 void EditorController::leaveDraft() {
-  if (!keepsDraft() || !unsaved()) return;
-  if (const auto trouble = edited()->drafts()->keep())
+  if (!edited()) return;
+  const auto trouble = edited()->closeDrafts();
+  if (trouble && unsaved())
     context_.overlay.toasts()->add(Mark::Bad, draftWords().lost.arg(sentences::wordsOf(*trouble)));
 }
 
