@@ -197,7 +197,10 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
       document_.endSending();
     }
   };
-  hears.looked = [this](const robot::StoredWaypoints& stored) { take(stored); };
+  hears.looked = [this](const robot::StoredWaypoints& stored) {
+    take(stored);
+    return !unsaved();
+  };
   return hears;
 }
 

@@ -128,9 +128,16 @@ void WaypointSubmission::goOnAfter(const Row& row) {
     Q_EMIT changed();
     return sendNext();
   }
-  if (!way_.look_after_failure || failure.kind == map::FailureKind::Conflict) return stop(failure);
+  if (!mustLook() || failure.kind == map::FailureKind::Conflict) return stop(failure);
   leaveOutTheRest();
   lookAgain();
+}
+
+/// An answer may be lost although the request was carried out.
+bool WaypointSubmission::mustLook() const {
+  return way_.look_after_failure || std::any_of(rows_.begin(), rows_.end(), [](const Row& row) {
+           return row.failure && row.failure->applied == map::Applied::Maybe;
+         });
 }
 
 /// Drops answers that arrive when nobody waits for them any more.
@@ -145,7 +152,7 @@ robot::OutcomeTo<T> WaypointSubmission::inThisRound(Then then) {
 void WaypointSubmission::sendNext() {
   std::size_t next = 0;
   while (next < rows_.size() && rows_[next].state != Row::State::Waiting) ++next;
-  if (next == rows_.size()) return met_ && !way_.look_after_failure ? stop(*met_) : lookAgain();
+  if (next == rows_.size()) return met_ && !mustLook() ? stop(*met_) : lookAgain();
   if (cancelled_) return stop(map::Failure{map::FailureKind::Cancelled});
   rows_[next].state = Row::State::UnderWay;
   listener_.sending(rows_[next].request);
@@ -173,8 +180,8 @@ void WaypointSubmission::lookAgain() {
   call_ = store_.read(map_, inThisRound<Stored>([this](const robot::Outcome<Stored>& stored) {
                         // A failed read matters only if no request failed before it.
                         if (!stored) return stop(met_.value_or(stored.error()));
-                        listener_.looked(*stored);
-                        met_ ? stop(*met_) : enter(SubmissionPhase::Done);
+                        const bool all = listener_.looked(*stored);
+                        met_ && !all ? stop(*met_) : enter(SubmissionPhase::Done);
                       }));
 }
 

@@ -57,11 +57,12 @@ class WaypointSubmission : public QObject {
     std::function<void(const robot::WaypointRequest&, const robot::WaypointReceipt&)> done;
     /// A request ended, and it is not known to be applied.
     std::function<void(const robot::WaypointRequest&, const map::Failure&)> failed;
-    std::function<void(const robot::StoredWaypoints&)> looked;  // afterwards
+    /// Afterwards. True if everything is stored as it should be, whatever was answered.
+    std::function<bool(const robot::StoredWaypoints&)> looked;
   };
   struct Way {
     AtFailure at_failure = AtFailure::Stop;
-    bool look_after_failure = false;  // reads the result before it is Stopped
+    bool look_after_failure = false;  // reads the result before it is Stopped, also where it is known
   };
 
   /// `store` is not used any more after abandon().
@@ -92,6 +93,7 @@ class WaypointSubmission : public QObject {
   void stop(map::Failure failure);
   void leaveOutTheRest();
   void goOnAfter(const SubmittedRequest& row);
+  bool mustLook() const;
   template <typename T, typename Then>
   robot::OutcomeTo<T> inThisRound(Then then);
   void sendNext();

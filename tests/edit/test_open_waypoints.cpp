@@ -145,13 +145,29 @@ class TestOpenWaypoints : public QObject {
     QVERIFY(!desk.list->unsaved());
   }
 
-  void afterALostAnswerItLooksBeforeItAsksAgain() {
+  void afterALostAnswerItLooksWhetherItIsSaved() {
     Desk desk(Way::OneByOne);
     READY(desk);
     desk.document().change({desk.document().to("new", waypoint("new", 3, 3, "New"))}, QStringLiteral("add"));
     desk.store.failures = {failed(map::FailureKind::TimedOut, map::Applied::Maybe)};  // and it was made
+    QSignalSpy saved(desk.list.get(), &OpenWaypoints::saved);
+    desk.list->save();
+    QTRY_COMPARE(saved.size(), 1);
+    QCOMPARE(desk.phase(), SubmissionPhase::Done);
+    QCOMPARE(desk.store.asked.size(), std::size_t(1));
+    QVERIFY(!desk.list->unsaved());
+  }
+
+  void whatWasLostWithTheLinkIsLookedForBeforeItIsSentAgain() {
+    Desk desk(Way::OneByOne);
+    READY(desk);
+    desk.document().change({desk.document().to("new", waypoint("new", 3, 3, "New"))}, QStringLiteral("add"));
+    desk.store.failures = {failed(map::FailureKind::TimedOut, map::Applied::Maybe)};  // and it was made
+    desk.store.before_performing = [&] { desk.store.unreadable = true; };
     desk.list->save();
     QTRY_COMPARE(desk.phase(), SubmissionPhase::Stopped);
+    desk.store.before_performing = nullptr;
+    desk.store.unreadable = false;
     QVERIFY(desk.list->unsaved());
     const int reads = desk.store.reads;
     desk.list->save();
