@@ -53,8 +53,8 @@ CommandResult<ExportOrder> orderFrom(const BagsArguments& args, const QStringLis
 }
 
 /// Reports what was written, for scripts and for people.
-void tell(const BagsArguments& args, const ExportOrder& order, RobotCommand& command, QJsonObject done,
-          const QString& sentence) {
+void reportExported(const BagsArguments& args, const ExportOrder& order, RobotCommand& command,
+                    QJsonObject done, const QString& sentence) {
   done[QStringLiteral("name")] = text(args.name);
   done[QStringLiteral("file")] = order.path;
   command.report(QStringLiteral("bag"), done);
@@ -100,11 +100,11 @@ CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command,
   const map::Subject bag{map::SubjectKind::Bag, args.name};
   for (const Fault& loss : done.losses)
     bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
-  tell(args, order, command,
-       {{QStringLiteral("messages"), qint64(done.messages)},
-        {QStringLiteral("said_before"), qint64(done.said_before)},
-        {QStringLiteral("attachments"), qint64(done.attachments)}},
-       Text::tr("%1 messages, %2 from before the range").arg(done.messages).arg(done.said_before));
+  reportExported(args, order, command,
+                 {{QStringLiteral("messages"), qint64(done.messages)},
+                  {QStringLiteral("said_before"), qint64(done.said_before)},
+                  {QStringLiteral("attachments"), qint64(done.attachments)}},
+                 Text::tr("%1 messages, %2 from before the range").arg(done.messages).arg(done.said_before));
   return kDone;
 }
 
@@ -170,7 +170,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   }
   bags.reportUnreadable(order->span.to_s.value_or(HUGE_VAL), excerpt::readsFrom(wanted));
   const Told told = toldOf(*done, wanted.kind);
-  tell(args, *order, command, told.json, told.sentence);
+  reportExported(args, *order, command, told.json, told.sentence);
   return kDone;
 }
 
@@ -206,8 +206,8 @@ std::optional<QString> notIntoReason(const QString& path, const std::vector<std:
   return notCreatedReason(path, force, sources);
 }
 
-void tell(const BagsArguments& args, const QStringList& files, const excerpt::Written& done,
-          const QStringList& not_found = {}) {
+void reportWritten(const BagsArguments& args, const QStringList& files, const excerpt::Written& done,
+                   const QStringList& not_found = {}) {
   QStringList losses;
   for (const Fault& loss : done.losses) losses << sentences::sentenceOf(loss);
   losses += not_found;
@@ -243,7 +243,7 @@ CommandResult<int> bagsRepair(RobotCommand&, const BagsArguments& args) {
   order.repair = true;
   const auto made = excerpt::sliceRecording(*path, order);
   if (!made) return notOpened(made.error());
-  tell(args, {text(args.output)}, **made);
+  reportWritten(args, {text(args.output)}, **made);
   return int((*made)->damaged ? kIncomplete : kDone);
 }
 
@@ -302,7 +302,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
     all.losses = (*made)->losses;  // they concern the whole
   }
   const QStringList not_found = notFound(args.topics, {}, all.messages, all.topics);
-  tell(args, files, all, not_found);
+  reportWritten(args, files, all, not_found);
   return int(all.losses.empty() && not_found.isEmpty() ? kDone : kIncomplete);
 }
 
@@ -317,7 +317,7 @@ CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
   const auto made = excerpt::mergeRecordings(args.files, order);
   if (!made) return notOpened(made.error());
   const QStringList not_found = notFound(args.topics, *span, made->messages, made->topics);
-  tell(args, {text(args.output)}, *made, not_found);
+  reportWritten(args, {text(args.output)}, *made, not_found);
   return int(made->losses.empty() && not_found.isEmpty() ? kDone : kIncomplete);
 }
 

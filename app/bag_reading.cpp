@@ -179,14 +179,14 @@ CommandResult<void> BagReading::waitUntil(const std::function<bool()>& done) {
 }
 
 CommandResult<void> BagReading::readRanges(std::optional<double> from_s, std::optional<double> to_s,
-                                           const TakeRange& take) {
+                                           const UseRange& use) {
   replay::RangeWalk walk(*reading_, from_s, to_s);
   while (!walk.over()) {
     replay::ChunkPtr chunk;
     const auto next = [&] { return chunk || (chunk = walk.next()) || walk.over(); };
     if (auto came = waitUntil(next); !came) return came;
     if (!chunk) break;
-    if (auto taken = take(*chunk); !taken) return taken;
+    if (auto taken = use(*chunk); !taken) return taken;
   }
   const auto holes = reading_->chunks().holes(from_s.value_or(-HUGE_VAL), to_s.value_or(HUGE_VAL));
   if (!holes.empty() && reading_->chunks().messagesRead() == 0) return failure(holes.front().failure);

@@ -55,10 +55,10 @@ class BagReading {
   /// deliver a range, or keeps failing.
   CommandResult<void> waitUntil(const std::function<bool()>& done);
   /// Passes on the ranges that overlap `from_s` to `to_s`, in order; without limits all of them, whatever
-  /// times they state. Reads nothing else. Ends if `take` fails.
-  using TakeRange = std::function<CommandResult<void>(const replay::Chunk&)>;
+  /// times they state. Reads nothing else. Ends if `use` fails.
+  using UseRange = std::function<CommandResult<void>(const replay::Chunk&)>;
   CommandResult<void> readRanges(std::optional<double> from_s, std::optional<double> to_s,
-                                 const TakeRange& take);
+                                 const UseRange& use);
   /// Reads the whole bag; its index is complete afterwards.
   CommandResult<void> readWhole();
   /// The exact state at `at_s`.

@@ -96,7 +96,7 @@ CommandResult<int> exportCloud(RobotCommand& command, const CloudsArguments& arg
                            Text::tr("The robot answered with another region: none of the points lies in the "
                                     "requested one. Nothing was written."));
   }
-  for (const QString& note : came->notes()) reading.note(note);
+  for (const QString& note : came->notes()) reading.addRemark(note);
   disk::WrittenFile file(order->path.toStdString());
   const auto written = clouds::writeCloud(*came->cloud, order->format, [&](std::string_view bytes) {
     file.write(bytes);

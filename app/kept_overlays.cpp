@@ -43,7 +43,7 @@ void KeptOverlays::keep(const robot::OverlayText& held, bool saved) {
                           held.version, saved ? history::Origin::Saved : history::Origin::Read, held.text,
                           double(QDateTime::currentMSecsSinceEpoch()) / 1000)
             : store.error();
-  if (why && !std::exchange(failed_, true)) robot_.note(robot_.about(sentences::sentenceOf(*why)));
+  if (why && !std::exchange(failed_, true)) robot_.addRemark(robot_.about(sentences::sentenceOf(*why)));
 }
 
 tl::expected<std::vector<history::KeptVersion>, QString> keptVersions(const std::string& robot,

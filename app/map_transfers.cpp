@@ -98,7 +98,7 @@ CommandResult<int> addMap(RobotCommand& command, const TransferArguments& args, 
   const auto maps = reading.catalogue();
   const QString remark =
       maps ? jobs::alsoCalledSo({.change = robot::MapChange::Save, .name = map.name}, **maps) : QString();
-  if (!remark.isEmpty()) reading.note(reading.about(remark));
+  if (!remark.isEmpty()) reading.addRemark(reading.about(remark));
   const auto line = std::make_shared<ProgressLine>();
   const auto held = reading.ask<robot::MapParts>([&](robot::OutcomeTo<robot::MapParts> reply) {
     robot::Call call = (*transfer)->add(map, std::move(reply));
@@ -222,7 +222,7 @@ CommandResult<int> mapsSetImage(RobotCommand& command, const TransferArguments& 
                      .arg(now->cells->height()));
   const OccupancyOfPicture wanted = occupancyOf(*picture->cells);
   if (wanted.between > 0)
-    reading.note(sentences::counted(
+    reading.addRemark(sentences::counted(
         Text::tr("%1 cells of the image are neither free nor occupied but in between: they are sent as "
                  "map_server reads them (from 65 % occupied, below 19.6 % free, else unknown).",
                  nullptr, sentences::formOf(wanted.between)),

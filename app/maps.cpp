@@ -111,7 +111,7 @@ CommandResult<int> showWithoutPicture(RobotReading& reading, bool json_wanted) {
     if (!told) return reading.failure(told.error());
     points = std::move(told->points);
     for (const Fault& note : told->notes)
-      reading.note(
+      reading.addRemark(
           QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(key)), sentences::sentenceOf(note)));
   }
   const map::CatalogueEntry* const row = session.catalogue().find(key);
@@ -403,7 +403,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   if (const auto missing = missingReason(args, *placed)) return wrong(*missing);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
-  if (!written.remark.isEmpty()) (*robot)->note(written.remark);
+  if (!written.remark.isEmpty()) (*robot)->addRemark(written.remark);
   if (!printed) {
     const map::GridReference& grid = placed->reference;
     printLine(Text::tr("%1: %2 x %3 cells of %4 m")
@@ -529,7 +529,7 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
   if (names(change) && (*robot)->session().catalogue().offered()) {
     const auto maps = (*robot)->catalogue();
     const QString remark = maps ? jobs::alsoCalledSo(order, **maps) : QString();
-    if (!remark.isEmpty()) (*robot)->note((*robot)->about(remark));
+    if (!remark.isEmpty()) (*robot)->addRemark((*robot)->about(remark));
   }
   const auto entry = (*robot)->change(order);
   if (!entry) return passOn(entry);

@@ -133,7 +133,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   const auto document = OverlayDocument::read(held->text);
   if (!document) {
-    of->robot->note(of->robot->about(
+    of->robot->addRemark(of->robot->about(
         Text::tr("Its overlays cannot be read. %1").arg(sentences::sentenceOf(document.error()))));
     return kIncomplete;
   }
@@ -289,8 +289,8 @@ CommandResult<bool> lookBelow(RobotReading& reading, const map::MapKey& key, std
   MapBelow below = mapBelow(reading, key);
   options.map = std::move(below.map);
   if (options.map.cells) return true;
-  reading.note(reading.about(Text::tr("The map cannot be loaded, so what lies on it was not checked. %1")
-                                 .arg(below.unavailable_reason)));
+  reading.addRemark(reading.about(Text::tr("The map cannot be loaded, so what lies on it was not checked. %1")
+                                      .arg(below.unavailable_reason)));
   return false;
 }
 

@@ -90,7 +90,7 @@ CommandResult<int> list(RobotReading& reading, robot::MapDispatch& dispatch,
   const std::vector<std::string> silent = dispatch.silent();
   if (!told->empty() || silent.empty() || args.json) print(*told, args.json);
   for (const std::string& topic : silent)
-    reading.note(Text::tr("%1: it had no effect.").arg(words::plainName(topic)));
+    reading.addRemark(Text::tr("%1: it had no effect.").arg(words::plainName(topic)));
   return silent.empty() ? kDone : kIncomplete;
 }
 

@@ -132,7 +132,7 @@ map::Failure RobotReading::tooLate(map::Failure failure) const {
 
 void RobotReading::warnOfUnconfirmed(robot::Capability capability) {
   unconfirmed_ = sentences::unconfirmedOf(session_.robot(), capability);
-  if (!unconfirmed_.isEmpty()) note(about(unconfirmed_));
+  if (!unconfirmed_.isEmpty()) addRemark(about(unconfirmed_));
 }
 
 void RobotReading::await(robot::Capability capability) {

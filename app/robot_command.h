@@ -75,13 +75,13 @@ class RobotReading {
   /// The failure for a capability that the robot lacks.
   tl::unexpected<CommandFailure> lacks(robot::Capability capability) const;
   /// Adds a remark that is printed at the end.
-  void note(const QString& sentence) { notes_ << sentence; }
+  void addRemark(const QString& sentence) { notes_ << sentence; }
   /// The remark that changing this is not confirmed by the robot's maker, where that is so. It stands behind
   /// a failure, too.
   void warnOfUnconfirmed(robot::Capability capability);
   const QString& unconfirmed() const { return unconfirmed_; }
-  /// The same as note() for something that was requested but could not be loaded; the result is incomplete
-  /// then.
+  /// The same as addRemark() for something that was requested but could not be loaded; the result is
+  /// incomplete then.
   void lack(const QString& sentence) {
     lacks_ << sentence;
     complete_ = false;

@@ -48,7 +48,7 @@ struct Tally {
   qint64 count = 0, bytes = 0;
   double first_s = 0, last_s = 0, shortest_s = 0, longest_s = 0, squares = 0;
 
-  void note(double at_s, std::size_t size) {
+  void add(double at_s, std::size_t size) {
     const double since_s = at_s - last_s;
     if (++count == 1) {
       first_s = last_s = at_s;
@@ -146,7 +146,7 @@ class TopicsRun {
       if (message.kind != robot::Delivery::Kind::Message || message.before) return;
       const std::lock_guard lock(mutex);
       const auto found = tallies.find(QString::fromUtf8(message.name.data(), qsizetype(message.name.size())));
-      if (found != tallies.end()) found->second.note(message.received_s, message.bytes.size());
+      if (found != tallies.end()) found->second.add(message.received_s, message.bytes.size());
     });
     if (offers_) offers_->setEveryMessage(true);
     if (auto failure = connect(topics_)) return tl::make_unexpected(*failure);

@@ -127,7 +127,7 @@ QJsonObject previewJson(const ListedWaypoints& list, const exchange::MergedEdits
 std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
                                            std::vector<exchange::WaypointEdit> edits) {
   exchange::FittedEdits fitted = exchange::fitted(std::move(edits), list.store->keeps());
-  if (!fitted.notes.isEmpty()) list.robot->note(fitted.notes.join(QLatin1Char(' ')));
+  if (!fitted.notes.isEmpty()) list.robot->addRemark(fitted.notes.join(QLatin1Char(' ')));
   return std::move(fitted.edits);
 }
 
@@ -157,11 +157,11 @@ CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::s
   list.stored = std::move(*stored);
   if (use == Use::Changing) reading.warnOfUnconfirmed(robot::Capability::WaypointEditing);
   for (const Fault& note : list.stored.notes)
-    reading.note(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
-                                              sentences::sentenceOf(note)));
+    reading.addRemark(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
+                                                   sentences::sentenceOf(note)));
   if (use == Use::Reading) {
     for (const auto& left : exchange::temporaryNamesIn(exchange::itemsOf(list.stored.points)))
-      reading.note(nameLeft(left));
+      reading.addRemark(nameLeft(left));
   }
   return list;
 }

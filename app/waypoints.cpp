@@ -48,7 +48,7 @@ CommandResult<int> waypointsList(RobotCommand& command, const WaypointsArguments
   if (!list) return passOn(list);
   std::optional<DoubtfulWaypoints> doubtful;
   if (args.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
-  if (doubtful && !doubtful->untold.isEmpty()) list->robot->note(doubtful->untold);
+  if (doubtful && !doubtful->untold.isEmpty()) list->robot->addRemark(doubtful->untold);
   // The list is complete; the additional data is not.
   const int exit_code = doubtful && !doubtful->looked ? int(kIncomplete) : int(kDone);
   if (args.json) {
@@ -321,8 +321,8 @@ CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypo
   wanted.notes.removeAll(QString());
   // As one: of several only the first would be printed.
   if (!wanted.notes.isEmpty())
-    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(args.file), 200),
-                                                  wanted.notes.join(QLatin1Char(' '))));
+    list.robot->addRemark(QStringLiteral("%1: %2").arg(oneLine(inputCalled(args.file), 200),
+                                                       wanted.notes.join(QLatin1Char(' '))));
   auto edits = exchange::editsFor(kept, wanted.points, others);
   if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(args.file), edits.error()));
   return fitted(list, std::move(*edits));
@@ -338,7 +338,7 @@ DoubtsAhead doubtsAhead(const ListedWaypoints& list, const std::vector<exchange:
   std::vector<map::Waypoint> points;
   for (auto& [key, point] : items) points.push_back(std::move(point));
   const DoubtfulWaypoints doubtful = doubtsOf(list, points, radius_m);
-  if (!doubtful.untold.isEmpty()) list.robot->note(doubtful.untold);
+  if (!doubtful.untold.isEmpty()) list.robot->addRemark(doubtful.untold);
   DoubtsAhead ahead;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!doubtful.of[i].empty()) ahead.push_back({points[i].id, points[i].name, doubtful.of[i]});

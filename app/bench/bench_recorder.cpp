@@ -63,10 +63,10 @@ double processorSeconds() {
          double(used.ru_utime.tv_usec + used.ru_stime.tv_usec) / 1e6;
 }
 
-/// Calls `take` with what comes in kSeconds, each message when it is due, on a thread of its own; tells how
+/// Calls `record` with what comes in kSeconds, each message when it is due, on a thread of its own; tells how
 /// long that was kept for each.
-template <typename Take>
-void pace(benchmark::State& state, Take take) {
+template <typename Record>
+void pace(benchmark::State& state, Record record) {
   const std::vector<std::string>& words = bench::robotsWords();
   std::vector<double> kept_us;
   kept_us.reserve(100'000);
@@ -80,7 +80,7 @@ void pace(benchmark::State& state, Take take) {
       std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(
                                                 std::chrono::duration<double>(bytes / kBytesInASecond)));
       const Clock::time_point from = Clock::now();
-      take(word);
+      record(word);
       kept_us.push_back(std::chrono::duration<double, std::micro>(Clock::now() - from).count());
     }
   });

@@ -174,14 +174,14 @@ class GeoJsonReading {
 
   void addNotes(const QString& system, bool says_metres) {
     if (!system.isEmpty())
-      reading_.note(WaypointJsonText::tr("Its coordinates (crs %1) were read as metres of the map.")
-                        .arg(words::plainName(system.left(80))));
+      reading_.addRemark(WaypointJsonText::tr("Its coordinates (crs %1) were read as metres of the map.")
+                             .arg(words::plainName(system.left(80))));
     if (system.isEmpty() && !says_metres)
-      reading_.note(
+      reading_.addRemark(
           WaypointJsonText::tr("It does not say that its coordinates are metres of the map (\"frame\": "
                                "\"map\"); they were read so."));
     const auto count = [&](qint64 number, const QString& sentence) {
-      if (number > 0) reading_.note(sentences::counted(sentence, number));
+      if (number > 0) reading_.addRemark(sentences::counted(sentence, number));
     };
     count(other_places_,
           WaypointJsonText::tr(

@@ -37,7 +37,7 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
                                                     Others others) {
   std::vector<edit::Key> keys(wanted.size());
   std::map<edit::Key, int> taken;  // in which row
-  const auto take = [&](std::size_t i, const edit::Key& key) -> std::optional<QString> {
+  const auto claim = [&](std::size_t i, const edit::Key& key) -> std::optional<QString> {
     const auto [before, is_new] = taken.emplace(key, wanted[i].row);
     if (!is_new)
       return WaypointPlanText::tr("Rows %1 and %2 are about the same waypoint %3. Remove one of them.")
@@ -47,7 +47,7 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
   };
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!kept.contains(wanted[i].id)) continue;
-    if (const auto twice = take(i, wanted[i].id)) return wrong(*twice);
+    if (const auto twice = claim(i, wanted[i].id)) return wrong(*twice);
   }
   if (others == Others::Go) return keys;
   std::multimap<std::string, edit::Key> by_name;
@@ -62,7 +62,7 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
       return wrong(WaypointPlanText::tr("Row %1: several waypoints are called \"%2\" (%3, %4). Give the id.")
                        .arg(QString::number(wanted[i].row), plainShort(first->first),
                             plainShort(first->second), plainShort(std::next(first)->second)));
-    if (const auto twice = take(i, first->second)) return wrong(*twice);
+    if (const auto twice = claim(i, first->second)) return wrong(*twice);
   }
   return keys;
 }
@@ -77,8 +77,8 @@ map::Waypoint withWanted(map::Waypoint point, const WantedWaypoint& wanted) {
 }
 
 /// The change of a plan's row, on top of those before; returns its waypoint.
-tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItems& base,
-                                      std::map<edit::Key, WaypointEdit>& edits) {
+tl::expected<edit::Key, QString> addRow(const QJsonObject& row, const WaypointItems& base,
+                                        std::map<edit::Key, WaypointEdit>& edits) {
   const QString kind = row.value(QLatin1String("kind")).toString();
   const auto read = wantedFromJson(row);
   if (!read) return wrong(read.error());
@@ -314,7 +314,7 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
   for (const QJsonValue& value : changes.toArray()) {
     ++row;
     const std::size_t known = edits.size();
-    const auto added = take(value.toObject(), plan.base, edits);
+    const auto added = addRow(value.toObject(), plan.base, edits);
     if (!added) return wrong(WaypointPlanText::tr("Change %1: %2").arg(QString::number(row), added.error()));
     if (edits.size() > known) order.push_back(*added);
   }

@@ -182,7 +182,7 @@ class PoseList {
       }
     }
     if (lanes > 0)
-      reading_.note(sentences::counted(
+      reading_.addRemark(sentences::counted(
           WaypointPosesText::tr("%1 lanes were left out.", nullptr, sentences::formOf(lanes)), lanes));
     return {};
   }

@@ -59,7 +59,7 @@ class WaypointReading {
   /// What is left out: a field by its name; said once.
   void leaveOut(const std::string& field);
   /// A sentence of its own.
-  void note(const QString& sentence) { notes_ << sentence; }
+  void addRemark(const QString& sentence) { notes_ << sentence; }
   /// Quaternions that are lists are probably in the order w, x, y, z, as rviz' panel of Nav2 writes them.
   void expectScalarFirst() { scalar_first_ = true; }
   std::size_t size() const { return points_.size(); }

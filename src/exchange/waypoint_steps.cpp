@@ -148,13 +148,13 @@ QJsonObject stepJson(const WaypointStep& step, const std::string& map) {
   row[QStringLiteral("kind")] = wordOf(step.kind);
   if (!step.before || !step.after) return row;
   const QJsonObject after = waypointJson(*step.after, map);
-  const auto take = [&](const QString& member) { row[member] = after.value(member); };
+  const auto copyMember = [&](const QString& member) { row[member] = after.value(member); };
   if (step.kind == StepKind::Rename) row[QStringLiteral("to")] = text(step.after->name);
-  if (step.kind == StepKind::Retag) take(QStringLiteral("tags"));
+  if (step.kind == StepKind::Retag) copyMember(QStringLiteral("tags"));
   if (step.kind == StepKind::Retype) row[QStringLiteral("type")] = text(step.after->type);
   if (step.kind == StepKind::Move) {
     for (const QString& member : {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("yaw_rad")})
-      take(member);
+      copyMember(member);
   }
   return row;
 }

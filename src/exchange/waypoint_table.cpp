@@ -380,11 +380,11 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
 
   WaypointReading reading(shape.angles);
   if (comments > 0)
-    reading.note(sentences::counted(
+    reading.addRemark(sentences::counted(
         WaypointTableText::tr("%1 comment lines (#) were left out.", nullptr, sentences::formOf(comments)),
         comments));
   if (shape.decimal_comma)
-    reading.note(WaypointTableText::tr("Commas in numbers were read as decimal points."));
+    reading.addRemark(WaypointTableText::tr("Commas in numbers were read as decimal points."));
   std::vector<TableColumn> columns;
   if (shape.header) {
     if (const auto why = noHeaderReason(records->front())) return wrongAt(records->front().line, *why);
@@ -397,7 +397,7 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
       return wrong(
           WaypointTableText::tr("It needs two adjacent columns of numbers: x and y in metres. Or start "
                                 "with a row that names the columns: name, x, y, heading, tags."));
-    reading.note(
+    reading.addRemark(
         WaypointTableText::tr("It has no column names. Its columns were read as %1.").arg(namesOf(columns)));
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
