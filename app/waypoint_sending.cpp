@@ -152,7 +152,7 @@ class Sending {
         return list_.store->read(list_.map, std::move(reply));
       });
       if (stored) {
-        open_.document().take(exchange::itemsOf(stored->points));
+        open_.document().mergeStored(exchange::itemsOf(stored->points));
         reportConflicts();
         return true;
       }

@@ -105,7 +105,7 @@ std::vector<Change> WaypointDocument::allChanges() const {
   return changes;
 }
 
-void WaypointDocument::take(const Items& stored) {
+void WaypointDocument::mergeStored(const Items& stored) {
   const Items theirs = underOurKeys(stored);
   DocumentChange told;
   std::set<Key> keys;

@@ -73,7 +73,7 @@ class WaypointDocument : public QObject {
   std::vector<Change> allChanges() const;
 
   /// The stored items as of now. Merges them with mine; what cannot be merged becomes a conflict.
-  void take(const Items& stored);
+  void mergeStored(const Items& stored);
   /// The stored list disappeared as a whole; nobody removed single items. Everything here is unsaved now.
   void onGone();
   /// Ends a conflict. Taking theirs can be undone; then mine is back, unsaved.

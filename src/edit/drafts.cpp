@@ -241,7 +241,7 @@ void DraftKeeper::begin() {
         this,
         [this, trouble] {
           writing_ = false;
-          note(trouble);
+          setTrouble(trouble);
           Q_EMIT written();
           // What cannot be written now may work later.
           if (again_ || trouble) beginAfter(trouble ? kRetry : kWait);
@@ -255,11 +255,11 @@ std::optional<Fault> DraftKeeper::flush() {
   share_.waitForDone();
   const Job job = content_();
   const std::optional<Fault> trouble = job ? file_.write(job()) : file_.remove();
-  note(trouble);
+  setTrouble(trouble);
   return trouble;
 }
 
-void DraftKeeper::note(const std::optional<Fault>& trouble) {
+void DraftKeeper::setTrouble(const std::optional<Fault>& trouble) {
   const bool changed = trouble_ != trouble.value_or(Fault());
   trouble_ = trouble.value_or(Fault());
   if (changed) Q_EMIT troubleChanged();

@@ -118,7 +118,7 @@ class DraftKeeper : public QObject {
  private:
   void beginAfter(std::chrono::milliseconds wait);
   void begin();
-  void note(const std::optional<Fault>& trouble);
+  void setTrouble(const std::optional<Fault>& trouble);
 
   std::function<Job()> content_;
   Later later_;

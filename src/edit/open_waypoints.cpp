@@ -68,7 +68,7 @@ void OpenWaypoints::read() {
       self->read_again_ = true;
     } else if (stored && !self->saving()) {
       self->read_since_ = true;
-      self->take(*stored);
+      self->onStored(*stored);
     } else if (!stored) {
       self->failure_ = stored.error();
       if (!self->has_read_) self->phase_ = Phase::Failed;
@@ -82,7 +82,7 @@ void OpenWaypoints::onNamed(const QString& ours, const QString& theirs) {
   document_.nameTheirs(document_.ourName(ours.toStdString()), theirs.toStdString());
 }
 
-void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
+void OpenWaypoints::onStored(const robot::StoredWaypoints& stored) {
   failure_.reset();
   phase_ = Phase::Ready;
   notes_ = stored.notes;
@@ -92,7 +92,7 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
   looked_ = true;
   if (std::exchange(has_read_, true)) {
     const bool gone = !stored.there && !document_.kept().empty();
-    if (!gone) return document_.take(itemsOf(stored.points));
+    if (!gone) return document_.mergeStored(itemsOf(stored.points));
     document_.onGone();
     Q_EMIT remarked(faultText("edit",
                               "The saved waypoint draft has disappeared. The waypoints are still open here: "
@@ -177,7 +177,7 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
   WaypointSubmission::Listener hears;
   hears.plan =
       [this](const robot::StoredWaypoints& stored) -> std::optional<std::vector<robot::WaypointRequest>> {
-    take(stored);
+    onStored(stored);
     if (!document_.conflicts().empty()) return std::nullopt;
     auto requests = store_->plan(stored, wireChanges());
     return areReviewed(requests) ? std::optional(std::move(requests)) : std::nullopt;
@@ -198,7 +198,7 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
     }
   };
   hears.looked = [this](const robot::StoredWaypoints& stored) {
-    take(stored);
+    onStored(stored);
     return !unsaved();
   };
   return hears;

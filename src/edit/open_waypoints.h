@@ -76,7 +76,7 @@ class OpenWaypoints : public EditSession {
   void discard();
 
  private:
-  void take(const robot::StoredWaypoints& stored);
+  void onStored(const robot::StoredWaypoints& stored);
   void onNamed(const QString& ours, const QString& theirs);
   bool areReviewed(const std::vector<robot::WaypointRequest>& requests) const;
   void startSaving();

@@ -59,7 +59,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
       look(*order_.held);
     } else {
       read([](OverlayChanging& self, Outcome<OverlayText> now) {
-        if (now) self.tell(*now, false);
+        if (now) self.reportSeen(*now, false);
         self.look(std::move(now));
       });
     }
@@ -72,14 +72,14 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     reply_(std::move(outcome));
   }
 
-  template <typename Take>
-  void read(Take take) {
-    under_way_ = store_.read(order_.map, [self = shared_from_this(), take](Outcome<OverlayText> now) {
-      take(*self, std::move(now));
+  template <typename Then>
+  void read(Then then) {
+    under_way_ = store_.read(order_.map, [self = shared_from_this(), then](Outcome<OverlayText> now) {
+      then(*self, std::move(now));
     });
   }
 
-  void tell(const OverlayText& held, bool saved) {
+  void reportSeen(const OverlayText& held, bool saved) {
     if (order_.seen) order_.seen(held, saved);
   }
 
@@ -132,7 +132,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     const auto held = now ? OverlayDocument::read(now->text) : OverlayDocument();
     if (now && changed && held && otherwiseHeld(outcome_.merge.document, *held).empty())
       return compare(std::move(now));
-    if (now) tell(*now, false);
+    if (now) reportSeen(*now, false);
     // That it holds what it held is no proof after a lost answer: it may come yet. What it holds is neither:
     // was it this change? A conflict says that it was somebody else's.
     const bool may = failed.applied != map::Applied::No;
@@ -148,7 +148,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
       now.error().applied = map::Applied::Maybe;
       return end(robot::fail(std::move(now.error())));
     }
-    tell(*now, true);
+    reportSeen(*now, true);
     const auto held = OverlayDocument::read(now->text);
     outcome_.held = std::move(*now);
     if (!held) {

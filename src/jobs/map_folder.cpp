@@ -96,7 +96,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     };
     under_way_ = transfer_.parts(
         parts_.facts.key,
-        [self = shared_from_this()](Outcome<robot::MapParts> parts) { self->take(std::move(parts)); });
+        [self = shared_from_this()](Outcome<robot::MapParts> parts) { self->onParts(std::move(parts)); });
     return robot::Call(state_);
   }
 
@@ -112,7 +112,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     reply_(std::move(outcome));
   }
 
-  void take(Outcome<robot::MapParts> parts) {
+  void onParts(Outcome<robot::MapParts> parts) {
     if (!parts) return end(robot::fail(std::move(parts.error())));
     parts_ = std::move(*parts);
     if (!QDir().mkpath(done_.folder))

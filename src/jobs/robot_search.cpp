@@ -16,7 +16,7 @@ RobotSearch::RobotSearch(std::vector<robot::Probe> probes, std::chrono::millisec
   deadline_.start(within);
   for (std::size_t row = 0; row < probes.size(); ++row)
     probes[row].ask(asking_, within,
-                    [this, row](robot::ProbeAnswer answer) { take(row, std::move(answer)); });
+                    [this, row](robot::ProbeAnswer answer) { onAnswer(row, std::move(answer)); });
   if (probes.empty()) QMetaObject::invokeMethod(this, &RobotSearch::ended, Qt::QueuedConnection);
 }
 
@@ -44,7 +44,7 @@ const RobotSearch::Row* RobotSearch::mostTelling() const {
   return best;
 }
 
-void RobotSearch::take(std::size_t row, robot::ProbeAnswer answer) {
+void RobotSearch::onAnswer(std::size_t row, robot::ProbeAnswer answer) {
   if (rows_[row].answer) return;
   rows_[row].answer = std::move(answer);
   --waits_for_;

@@ -39,7 +39,7 @@ class RobotSearch : public QObject {
   void ended();    // everything did, or the time is over
 
  private:
-  void take(std::size_t row, robot::ProbeAnswer answer);
+  void onAnswer(std::size_t row, robot::ProbeAnswer answer);
   void giveUp(std::chrono::milliseconds within);
 
   std::vector<Row> rows_;

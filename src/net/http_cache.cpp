@@ -368,7 +368,7 @@ void HttpCache::write(const QByteArray& name) {
 
 void HttpCache::flush() {
   writer_.waitForDone();
-  tell();
+  reportFailure();
 }
 
 qint64 HttpCache::bytes() {
@@ -382,17 +382,17 @@ void HttpCache::recordFailure(const Fault& why) {
   if (untold_) return;  // already in progress
   untold_ = why;
   QMetaObject::invokeMethod(
-      &here_, [this] { tell(); }, Qt::QueuedConnection);
+      &here_, [this] { reportFailure(); }, Qt::QueuedConnection);
 }
 
-void HttpCache::tell() {
+void HttpCache::reportFailure() {
   std::optional<Fault> why;
   {
     const std::lock_guard lock(mutex_);
     why = std::exchange(untold_, std::nullopt);
   }
   if (!why) return;
-  if (const Trouble tell = std::exchange(trouble_, nullptr)) tell(*why);
+  if (const Trouble report = std::exchange(trouble_, nullptr)) report(*why);
 }
 
 }  // namespace mapwright::net

@@ -101,7 +101,7 @@ class HttpCache {
   void change(const QByteArray& name, std::optional<Record> record);
   void write(const QByteArray& name);    // on the writer's thread
   void recordFailure(const Fault& why);  // on the writer's thread
-  void tell();
+  void reportFailure();
 
   const Now now_;
   const qint64 budget_bytes_;

@@ -230,20 +230,20 @@ void Blocks::replace(Place from, Place until, std::span<const Sample> samples) {
     --first;
     before = blocks_[first].at.size();
   }
-  const auto take = [&](const Block& block, std::size_t begin, std::size_t end) {
+  const auto appendRange = [&](const Block& block, std::size_t begin, std::size_t end) {
     at.insert(at.end(), block.at.begin() + std::ptrdiff_t(begin), block.at.begin() + std::ptrdiff_t(end));
     value.insert(value.end(), block.value.begin() + std::ptrdiff_t(begin),
                  block.value.begin() + std::ptrdiff_t(end));
   };
-  if (before > 0) take(blocks_[first], 0, before);
-  if (head > 0) take(blocks_[from.block], 0, head);
+  if (before > 0) appendRange(blocks_[first], 0, before);
+  if (head > 0) appendRange(blocks_[from.block], 0, head);
   for (const Sample& sample : samples) {
     at.push_back(sample.at_s);
     value.push_back(sample.value);
   }
-  if (until.index > 0) take(blocks_[until.block], until.index, blocks_[until.block].at.size());
+  if (until.index > 0) appendRange(blocks_[until.block], until.index, blocks_[until.block].at.size());
   if (last < blocks_.size() && at.size() + blocks_[last].at.size() <= kBlock) {
-    take(blocks_[last], 0, blocks_[last].at.size());
+    appendRange(blocks_[last], 0, blocks_[last].at.size());
     ++last;
   }
   std::size_t gone = 0;

@@ -65,7 +65,7 @@ class TestDocument : public QObject {
       return line;
     };
     QCOMPARE(keys(), std::string("z m b2 b a "));
-    desk.document.take(items({point("a"), point("b", 5), point("q")}));
+    desk.document.mergeStored(items({point("a"), point("b", 5), point("q")}));
     QCOMPARE(keys(), std::string("z m b2 b a "));
     desk.document.confirm({{"m", std::nullopt, moved(point("m"), 1)}});
     QCOMPARE(keys(), std::string("z b2 b a "));
@@ -85,7 +85,7 @@ class TestDocument : public QObject {
     QCOMPARE(desk.at("d").type, std::string());
     QCOMPARE(desk.at("d").yaw_rad, std::optional(0.0));
     // What somebody else keeps there comes as it is.
-    desk.document.take(items({point("a"), point("b", 5), point("e")}));
+    desk.document.mergeStored(items({point("a"), point("b", 5), point("e")}));
     QVERIFY(!desk.at("e").yaw_rad);
   }
 
@@ -184,8 +184,8 @@ class TestDocument : public QObject {
     desk.set(moved(point("a"), 3));
     desk.document.markSent(desk.document.changes());
     desk.set(moved(point("a"), 4));
-    desk.document.endSending();                                        // whether it arrived is not known …
-    desk.document.take(items({moved(point("a"), 3), point("b", 5)}));  // … it did
+    desk.document.endSending();  // whether it arrived is not known …
+    desk.document.mergeStored(items({moved(point("a"), 3), point("b", 5)}));  // … it did
     QVERIFY(desk.document.conflicts().empty());
     QCOMPARE(desk.at("a").position_m.x(), 4.0);
     QCOMPARE(desk.document.state("a"), (ItemState{true, false, false}));
@@ -196,12 +196,12 @@ class TestDocument : public QObject {
     desk.set(point("mine", 7, 7, "Dock"));
     desk.document.markSent(desk.document.changes());
     desk.document.endSending();
-    desk.document.take(items({point("a"), point("b", 5), point("41", 7, 7, "Dock")}));
+    desk.document.mergeStored(items({point("a"), point("b", 5), point("41", 7, 7, "Dock")}));
     QCOMPARE(desk.document.items().size(), std::size_t(3));
     QVERIFY(desk.document.unsaved().empty());
     QCOMPARE(desk.document.theirName("mine"), Key("41"));
     desk.remove("mine");
-    desk.document.take(items({point("a"), point("b", 5), point("41", 7, 7, "Dock")}));
+    desk.document.mergeStored(items({point("a"), point("b", 5), point("41", 7, 7, "Dock")}));
     QCOMPARE(desk.document.items().size(), std::size_t(2));  // not back under its other name
   }
 
@@ -211,10 +211,10 @@ class TestDocument : public QObject {
     desk.set(renamed(point("a"), "Gate"));
     desk.document.markSent(desk.document.changes());
     desk.document.endSending();
-    desk.document.take(items({point("a"), point("b", 5)}));
+    desk.document.mergeStored(items({point("a"), point("b", 5)}));
     QCOMPARE(desk.document.unsaved(), (std::set<Key>{"a", "mine"}));
     desk.set(renamed(point("a"), "Gate 2"));
-    desk.document.take(items({renamed(point("a"), "Gate"), point("b", 5), point("41", 7, 7, "Dock")}));
+    desk.document.mergeStored(items({renamed(point("a"), "Gate"), point("b", 5), point("41", 7, 7, "Dock")}));
     QCOMPARE(desk.document.items().size(), std::size_t(3));
     QVERIFY(desk.document.conflicts().empty());
     QCOMPARE(desk.document.unsaved(), std::set<Key>{"a"});
@@ -224,11 +224,11 @@ class TestDocument : public QObject {
   void theirChangesComeInWhereIMadeNone() {
     Desk desk;
     desk.set(moved(point("a"), 3));
-    desk.document.take(items({point("a"), moved(point("b"), 8), point("c")}));
+    desk.document.mergeStored(items({point("a"), moved(point("b"), 8), point("c")}));
     QCOMPARE(desk.at("b").position_m.x(), 8.0);
     QVERIFY(desk.document.find("c"));
     QCOMPARE(desk.document.unsaved(), std::set<Key>{"a"});
-    desk.document.take(items({point("a"), point("c")}));
+    desk.document.mergeStored(items({point("a"), point("c")}));
     QVERIFY(!desk.document.find("b"));
     QVERIFY(desk.document.conflicts().empty());
   }
@@ -236,7 +236,7 @@ class TestDocument : public QObject {
   void myRenameAndTheirMoveGoTogether() {
     Desk desk;
     desk.set(renamed(point("a"), "Dock"));
-    desk.document.take(items({moved(point("a"), 8), point("b", 5)}));
+    desk.document.mergeStored(items({moved(point("a"), 8), point("b", 5)}));
     QVERIFY(desk.document.conflicts().empty());
     QCOMPARE(desk.at("a").name, std::string("Dock"));
     QCOMPARE(desk.at("a").position_m.x(), 8.0);
@@ -285,7 +285,7 @@ class TestDocument : public QObject {
     Waypoint theirs = moved(point("a"), 4);
     theirs.tags = {"dock"};
     desk.set(mine);
-    desk.document.take(items({theirs, point("b", 5)}));
+    desk.document.mergeStored(items({theirs, point("b", 5)}));
     QCOMPARE(desk.document.conflicts().at("a").fields, waypoint_field::kPosition);
     QVERIFY(desk.document.state("a").changed_elsewhere);
     QVERIFY(desk.document.changes().empty());  // nothing is sent before it is decided
@@ -299,7 +299,7 @@ class TestDocument : public QObject {
   void myVersionCanBeKept() {
     Desk desk;
     desk.set(moved(point("a"), 3));
-    desk.document.take(items({moved(point("a"), 4), point("b", 5)}));
+    desk.document.mergeStored(items({moved(point("a"), 4), point("b", 5)}));
     desk.document.decide("a", Side::Mine, QStringLiteral("mine"));
     QCOMPARE(desk.at("a").position_m.x(), 3.0);
     const auto changes = desk.document.changes();
@@ -310,7 +310,7 @@ class TestDocument : public QObject {
   void takingTheirsCanBeUndone() {
     Desk desk;
     desk.set(moved(point("a"), 3));
-    desk.document.take(items({point("b", 5)}));
+    desk.document.mergeStored(items({point("b", 5)}));
     QCOMPARE(int(desk.document.conflicts().at("a").kind), int(ConflictKind::DeletedThere));
     desk.document.decide("a", Side::Theirs, QStringLiteral("theirs"));
     QVERIFY(!desk.document.find("a"));
@@ -323,7 +323,7 @@ class TestDocument : public QObject {
   void aConflictEndsByHandToo() {
     Desk desk;
     desk.set(moved(point("a"), 3));
-    desk.document.take(items({moved(point("a"), 4), point("b", 5)}));
+    desk.document.mergeStored(items({moved(point("a"), 4), point("b", 5)}));
     desk.set(moved(point("a"), 4));
     QVERIFY(desk.document.conflicts().empty());
     QVERIFY(desk.document.unsaved().empty());
@@ -334,7 +334,7 @@ class TestDocument : public QObject {
     desk.set(renamed(point("a"), "Dock"));
     Waypoint theirs = point("a");
     theirs.source = "{\"height\": 3}";
-    desk.document.take(items({theirs, point("b", 5)}));
+    desk.document.mergeStored(items({theirs, point("b", 5)}));
     QCOMPARE(desk.at("a").source, theirs.source);
     QCOMPARE(desk.at("a").name, std::string("Dock"));
   }
@@ -405,7 +405,7 @@ class TestDocument : public QObject {
     desk.set(turned);
     desk.document.markSent(desk.document.changes());
     turned.yaw_rad = 0.5000000000000001;
-    desk.document.take(items({turned, point("b", 5)}));
+    desk.document.mergeStored(items({turned, point("b", 5)}));
     QVERIFY(desk.document.unsaved().empty() && desk.document.conflicts().empty());
     QCOMPARE(desk.document.sent(), std::size_t(0));
   }

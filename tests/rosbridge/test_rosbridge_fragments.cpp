@@ -24,7 +24,7 @@ struct Joined {
     return onFrame(pieceFrame(id, number, total, data));
   }
   QByteArray onFrame(const QByteArray& frame) {
-    const auto taken = joiner.take(json(frame)->root(), now);
+    const auto taken = joiner.add(json(frame)->root(), now);
     if (!taken) return taken.error() == Fault::Malformed ? "(malformed)" : "(too large)";
     return taken->value_or("(wait)");
   }

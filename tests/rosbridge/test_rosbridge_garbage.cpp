@@ -148,7 +148,7 @@ class TestRosbridgeGarbage : public QObject {
       const QByteArray frame =
           pieceFrame(int(random() % 5), int(random() % 30) - 2, double(random() % 250) / 8,
                      QByteArray(qsizetype(random() % 300), 'x'));
-      (void)joiner.take(json(frame)->root(), std::chrono::milliseconds(round));
+      (void)joiner.add(json(frame)->root(), std::chrono::milliseconds(round));
       QVERIFY(joiner.heldBytes() <= limits.bytes);
     }
   }

@@ -68,25 +68,25 @@ struct Access {
   }
   static double real(const Field& field) { return std::bit_cast<double>(field.raw_[0]); }
 
-  /// The items of a list, until `take` returns false. `Take` is a template to avoid a function call for each
-  /// number of a large JSON list.
-  template <typename Take>
-  static void eachUntil(const Field& list, Take take) {
+  /// The items of a list, until `visit` returns false. `Visit` is a template to avoid a function call for
+  /// each number of a large JSON list.
+  template <typename Visit>
+  static void eachUntil(const Field& list, Visit visit) {
     if (isJson(list)) {
       simdjson::dom::array items;
       if (json(list).get(items)) return;
       for (const simdjson::dom::element item : items) {
-        if (!take(ofJson(item))) return;
+        if (!visit(ofJson(item))) return;
       }
     } else if (isCbor(list)) {
       const CborItem item = cbor(list);
       const std::uint8_t* const end = cborEnd(list);
       if (item.type == CborItem::Type::Numbers) {
         for (std::size_t i = 0; i < item.numbers.count; ++i) {
-          if (!take(ofNumber(item.numbers.at(i)))) return;
+          if (!visit(ofNumber(item.numbers.at(i)))) return;
         }
       } else if (item.type == CborItem::Type::List) {
-        eachItem(item, end, [&](const std::uint8_t* at) { return take(ofCbor(at, end)); });
+        eachItem(item, end, [&](const std::uint8_t* at) { return visit(ofCbor(at, end)); });
       }
     }
   }

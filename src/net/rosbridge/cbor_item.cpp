@@ -204,21 +204,21 @@ const std::uint8_t* pastItem(const std::uint8_t* at, const std::uint8_t* end) {
 }
 
 void eachItem(const CborItem& list, const std::uint8_t* end,
-              const std::function<bool(const std::uint8_t*)>& take) {
+              const std::function<bool(const std::uint8_t*)>& visit) {
   const std::uint8_t* at = list.inside;
   for (std::uint64_t i = 0; list.count ? i < *list.count : !atBreak(at, end); ++i) {
-    if (!take(at)) return;
+    if (!visit(at)) return;
     at = pastItem(at, end);
   }
 }
 
 void eachMember(const CborItem& object, const std::uint8_t* end,
-                const std::function<bool(std::string_view, const std::uint8_t*)>& take) {
+                const std::function<bool(std::string_view, const std::uint8_t*)>& visit) {
   const std::uint8_t* at = object.inside;
   for (std::uint64_t i = 0; object.count ? i < *object.count : !atBreak(at, end); ++i) {
     const CborItem name = CborItem::at(at, end);
     const std::uint8_t* const value = pastItem(at, end);
-    if (name.type == CborItem::Type::Text && !take(name.text, value)) return;
+    if (name.type == CborItem::Type::Text && !visit(name.text, value)) return;
     at = pastItem(value, end);
   }
 }

@@ -50,11 +50,11 @@ struct CborItem {
 
 /// The end of the item at `at`.
 const std::uint8_t* pastItem(const std::uint8_t* at, const std::uint8_t* end);
-/// Calls `take` with the address of each item of a List, until it returns false.
+/// Calls `visit` with the address of each item of a List, until it returns false.
 void eachItem(const CborItem& list, const std::uint8_t* end,
-              const std::function<bool(const std::uint8_t*)>& take);
+              const std::function<bool(const std::uint8_t*)>& visit);
 /// Like eachItem, for the pairs of an Object whose name is a text.
 void eachMember(const CborItem& object, const std::uint8_t* end,
-                const std::function<bool(std::string_view, const std::uint8_t*)>& take);
+                const std::function<bool(std::string_view, const std::uint8_t*)>& visit);
 
 }  // namespace mapwright::net::rosbridge

@@ -260,25 +260,25 @@ class Client::Impl {
     if (frame->fault() == Frame::Fault::None && frame->root()["op"].text() == "fragment") {
       join(frame->root(), received_s, large);
     } else {
-      take(frame, bytes.size(), received_s, large);
+      onFrame(frame, bytes.size(), received_s, large);
     }
   }
 
   void join(const Field& fragment, double received_s, bool large) {
-    const auto joined = connection(large).joiner.take(fragment, options_.now());
-    if (!joined) tell(Oddity::BadFragment, plainText(QString::fromStdString(fragment["id"].text())));
+    const auto joined = connection(large).joiner.add(fragment, options_.now());
+    if (!joined) reportOddity(Oddity::BadFragment, plainText(QString::fromStdString(fragment["id"].text())));
     reportLosses(large);
     if (!joined || !*joined) return;
     const QByteArray text = **joined;
-    take(Frame::read(text, Frame::Wire::Text, std::size_t(options_.max_message_bytes)), text.size(),
-         received_s, large);
+    onFrame(Frame::read(text, Frame::Wire::Text, std::size_t(options_.max_message_bytes)), text.size(),
+            received_s, large);
   }
 
   void reportLosses(bool large) {
     Connection& by = connection(large);
     while (by.losses_told < by.joiner.dropped()) {
       ++by.losses_told;
-      tell(Oddity::LostFragments, {});
+      reportOddity(Oddity::LostFragments, {});
     }
   }
 
@@ -490,10 +490,10 @@ class Client::Impl {
                          [&](const GivenUp& call) { return call.large == large && call.id == id; }) > 0;
   }
 
-  void take(const std::shared_ptr<const Frame>& frame, qint64 bytes, double received_s, bool large) {
+  void onFrame(const std::shared_ptr<const Frame>& frame, qint64 bytes, double received_s, bool large) {
     const std::string operation = frame->root()["op"].text();
     if (frame->fault() != Frame::Fault::None) {
-      tell(Oddity::UnreadableFrame, {});
+      reportOddity(Oddity::UnreadableFrame, {});
     } else if (operation == "publish") {
       onMessage(frame, bytes, received_s, large);
     } else if (operation == "service_response") {
@@ -501,7 +501,7 @@ class Client::Impl {
     } else if (operation == "status") {
       onStatus(frame->root(), large);
     } else {
-      tell(Oddity::UnknownOperation, plainText(QString::fromStdString(operation)));
+      reportOddity(Oddity::UnknownOperation, plainText(QString::fromStdString(operation)));
     }
   }
 
@@ -510,7 +510,7 @@ class Client::Impl {
     TopicMessage message;
     message.msg = frame->root()["msg"];
     if (name.empty() || !message.msg.isObject()) {
-      tell(Oddity::MalformedMessage, plainText(QString::fromStdString(name)));
+      reportOddity(Oddity::MalformedMessage, plainText(QString::fromStdString(name)));
       return;
     }
     auto topic = topics_.find(name);
@@ -535,7 +535,7 @@ class Client::Impl {
       breakOff(call->number);
       deliver(*call, readAnswer(frame));
     } else if (!onLateAnswer(id, large)) {
-      tell(Oddity::UnknownCall, plainText(id.value_or(QString())));
+      reportOddity(Oddity::UnknownCall, plainText(id.value_or(QString())));
     }
     advance();
   }
@@ -610,7 +610,7 @@ class Client::Impl {
         owner_, [reply = call.reply, answer = std::move(answer)] { reply(answer); }, Qt::QueuedConnection);
   }
 
-  void tell(Oddity what, const QString& detail) {
+  void reportOddity(Oddity what, const QString& detail) {
     ++oddities_;
     qCInfo(lcRosbridge, "%s %s", lineOf(what), qUtf8Printable(detail));
     Q_EMIT owner_->odd(what, detail);

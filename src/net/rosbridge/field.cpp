@@ -293,24 +293,24 @@ std::size_t Field::size() const {
   return size;
 }
 
-void Field::each(const std::function<void(const Field&)>& take) const {
+void Field::each(const std::function<void(const Field&)>& visit) const {
   Access::eachUntil(*this, [&](const Field& item) {
-    take(item);
+    visit(item);
     return true;
   });
 }
 
-void Field::members(const std::function<void(std::string_view, const Field&)>& take) const {
+void Field::members(const std::function<void(std::string_view, const Field&)>& visit) const {
   if (kind_ == Kind::Json) {
     simdjson::dom::object object;
     if (Access::json(*this).get(object)) return;
-    for (const auto& [key, value] : object) take(key, Access::ofJson(value));
+    for (const auto& [key, value] : object) visit(key, Access::ofJson(value));
   } else if (kind_ == Kind::Cbor) {
     const CborItem item = Access::cbor(*this);
     if (item.type != Type::Object) return;
     const std::uint8_t* const end = Access::cborEnd(*this);
     eachMember(item, end, [&](std::string_view key, const std::uint8_t* value) {
-      if (simdjson::validate_utf8(key.data(), key.size())) take(key, Access::ofCbor(value, end));
+      if (simdjson::validate_utf8(key.data(), key.size())) visit(key, Access::ofCbor(value, end));
       return true;
     });
   }

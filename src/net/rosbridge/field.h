@@ -35,8 +35,8 @@ class Field {
   Field operator[](std::string_view name) const;
   /// Of a list; otherwise 0.
   std::size_t size() const;
-  void each(const std::function<void(const Field&)>& take) const;                       // items of a list
-  void members(const std::function<void(std::string_view, const Field&)>& take) const;  // of an object
+  void each(const std::function<void(const Field&)>& visit) const;                       // items of a list
+  void members(const std::function<void(std::string_view, const Field&)>& visit) const;  // of an object
 
   std::optional<double> number() const;  // finite; also a number in a text
   /// A number as sent: null is NaN, and CBOR has infinities.

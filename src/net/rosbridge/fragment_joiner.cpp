@@ -45,7 +45,7 @@ bool isWholeObject(const std::map<std::size_t, std::string>& pieces) {
 
 }  // namespace
 
-tl::expected<std::optional<QByteArray>, FragmentJoiner::Fault> FragmentJoiner::take(
+tl::expected<std::optional<QByteArray>, FragmentJoiner::Fault> FragmentJoiner::add(
     const Field& fragment, std::chrono::milliseconds now) {
   const std::optional<std::string> id = idOf(fragment["id"]);
   const std::optional<std::int64_t> number = fragment["num"].integer();

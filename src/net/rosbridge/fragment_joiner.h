@@ -38,7 +38,7 @@ class FragmentJoiner {
   explicit FragmentJoiner(Limits limits) : limits_(limits) {}
 
   /// The message completed by this fragment, as JSON text.
-  tl::expected<std::optional<QByteArray>, Fault> take(const Field& fragment, std::chrono::milliseconds now);
+  tl::expected<std::optional<QByteArray>, Fault> add(const Field& fragment, std::chrono::milliseconds now);
   /// Drops messages that have waited too long.
   void expire(std::chrono::milliseconds now);
   void clear();
