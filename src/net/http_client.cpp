@@ -76,7 +76,7 @@ struct HttpJob {
   std::unique_ptr<QTimer> silence;
   QElapsedTimer since_sent;  // the last time
   QByteArray body;
-  qint64 handed_over = 0;  // of the body, to HttpRequest::take
+  qint64 handed_over = 0;  // of the body, to HttpRequest::receive
   qint64 received() const { return body.size() + handed_over; }
 };
 
@@ -513,13 +513,13 @@ class HttpClient::Impl {
   /// False if the receiver wants no more.
   static bool keep(HttpJob& job, const QByteArray& part) {
     const int status = job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
-    if (!job.request.take || status < 200 || status >= 300) {
+    if (!job.request.receive || status < 200 || status >= 300) {
       job.body += part;
       return true;
     }
     const qint64 length = declaredLength(*job.network_reply);
     job.handed_over += part.size();
-    return job.request.take(partOf(job, status, length > 0 ? std::optional(length) : std::nullopt, part));
+    return job.request.receive(partOf(job, status, length > 0 ? std::optional(length) : std::nullopt, part));
   }
 
   void conclude(RequestId id) {
@@ -614,7 +614,7 @@ class HttpClient::Impl {
       bounded_in_flight_ -= job.request.most_at_once > 0;
     }
     drop(job);
-    later([this, id] { tell(id); });
+    later([this, id] { deliver(id); });
     later([this] { startWaiting(); });
   }
 
@@ -633,7 +633,7 @@ class HttpClient::Impl {
     }
   }
 
-  void tell(RequestId id) {
+  void deliver(RequestId id) {
     auto node = jobs_.extract(id);
     if (!node.empty() && node.mapped().reply) {
       node.mapped().reply(std::move(*node.mapped().answer));  // may destroy the client

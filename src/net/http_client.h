@@ -30,7 +30,7 @@ struct HttpProgress {
   std::optional<qint64> of_bytes;  // nullopt = not known
 };
 
-/// A part of a body in transfer (HttpRequest::take).
+/// A part of a body in transfer (HttpRequest::receive).
 struct HttpPart {
   int status = 0;                  // 206: continues where the request said; 200: starts over
   std::optional<qint64> of_bytes;  // of this body; nullopt = unknown
@@ -59,7 +59,7 @@ struct HttpRequest {
       {};  // with from_byte: restart if the content has changed (If-Range); empty = any content
   /// Gets the parts of a 2xx body instead of the answer, whose body is then empty; false ends the request as
   /// cancelled. Must neither cancel nor destroy. Cannot be combined with `cacheable`.
-  std::function<bool(const HttpPart&)> take = {};
+  std::function<bool(const HttpPart&)> receive = {};
   // Waits while this many requests that set a limit are in progress; 0 = only kInFlight counts.
   int most_at_once = 0;
 };

@@ -344,7 +344,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   state.certificate = certificate_;
   state.attempt = attempt_;
   state.retry_in_ms = retry_in_ms;
-  link_log_.note(state);
+  link_log_.record(state);
   Q_EMIT silenceChanged(silent_since_.value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }

@@ -78,12 +78,12 @@ Call AimdkAdministration::carryOut(const MapOrder& order, OutcomeTo<map::Catalog
 }
 
 Call AimdkWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints> reply) {
-  OutcomeTo<PixelPoints> take = [this, reply = std::move(reply)](Outcome<PixelPoints> points) {
+  OutcomeTo<PixelPoints> onPoints = [this, reply = std::move(reply)](Outcome<PixelPoints> points) {
     if (!points) return reply(fail(std::move(points.error())));
     pixel_m_ = points->pixel_m;
     reply(std::move(points->stored));
   };
-  return points_.ask(map::placesOf(key), std::move(take), &PointChanges::read, key);
+  return points_.ask(map::placesOf(key), std::move(onPoints), &PointChanges::read, key);
 }
 
 std::vector<WaypointRequest> AimdkWaypointStore::plan(const StoredWaypoints& now,

@@ -124,7 +124,7 @@ void MapChanges::look(const ChangePtr& change) {
   const bool of_state = what == MapChange::StartMapping || what == MapChange::CancelMapping;
   const auto lookAtMaps = [this, change, what, of_state](bool holds) {
     link_.list(change->task, [this, change, what, of_state, holds](const Outcome<Maps>& maps) {
-      if (!maps) return take(change, fail(maps.error()), false);
+      if (!maps) return endOrRetry(change, fail(maps.error()), false);
       const auto current = std::find_if(maps->begin(), maps->end(),
                                         [](const map::CatalogueEntry& entry) { return entry.is_current; });
       const auto made = std::find_if(maps->begin(), maps->end(), [&](const map::CatalogueEntry& entry) {
@@ -132,26 +132,26 @@ void MapChanges::look(const ChangePtr& change) {
       });
       const map::CatalogueEntry* const map = Change::find(*maps, change->order.key);
       if (of_state)
-        return take(change, current == maps->end() ? map::CatalogueEntry() : map::CatalogueEntry(*current),
-                    holds);
+        return endOrRetry(
+            change, current == maps->end() ? map::CatalogueEntry() : map::CatalogueEntry(*current), holds);
       if (what == MapChange::Save)
-        return take(change, made == maps->end() ? map::CatalogueEntry() : map::CatalogueEntry(*made),
-                    made != maps->end());
+        return endOrRetry(change, made == maps->end() ? map::CatalogueEntry() : map::CatalogueEntry(*made),
+                          made != maps->end());
       if (what == MapChange::Delete)
-        return take(change, *Change::find(change->before, change->order.key), !map);
-      if (!map) return take(change, fail(wire::notThere(change->subject())), false);
-      take(change, *map, what == MapChange::Rename ? map->name == change->order.name : map->is_current);
+        return endOrRetry(change, *Change::find(change->before, change->order.key), !map);
+      if (!map) return endOrRetry(change, fail(wire::notThere(change->subject())), false);
+      endOrRetry(change, *map, what == MapChange::Rename ? map->name == change->order.name : map->is_current);
     });
   };
   if (!isOfMapping(what)) return lookAtMaps(false);
   // The only thing that tells is one of the newer services itself.
   link_.lookAtMapping(change->task, [this, change, what, lookAtMaps](Outcome<bool> mapping) {
-    if (!mapping) return take(change, fail(std::move(mapping.error())), false);
+    if (!mapping) return endOrRetry(change, fail(std::move(mapping.error())), false);
     lookAtMaps(*mapping == (what == MapChange::StartMapping));
   });
 }
 
-void MapChanges::take(const ChangePtr& change, Outcome<map::CatalogueEntry> now, bool holds) {
+void MapChanges::endOrRetry(const ChangePtr& change, Outcome<map::CatalogueEntry> now, bool holds) {
   if (now && holds) return change->reply(std::move(now));
   const bool cancelled = !now && now.error().kind == map::FailureKind::Cancelled;
   if (steady_clock::now() < change->until && !cancelled) {

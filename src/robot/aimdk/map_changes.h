@@ -32,7 +32,7 @@ class MapChanges {
   void send(const ChangePtr& change);
   void look(const ChangePtr& change);
   /// How it is now; `holds`: it is as it was wanted.
-  void take(const ChangePtr& change, Outcome<map::CatalogueEntry> now, bool holds);
+  void endOrRetry(const ChangePtr& change, Outcome<map::CatalogueEntry> now, bool holds);
 
   AimdkLink& link_;
   const ChangeTimes times_;

@@ -311,7 +311,7 @@ Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
   const bool degrees = topology.degrees = anglesAreDegrees(*rows);
   if (frame) topology.scale = scaleBy(*rows, *frame);
   std::size_t unplaced = 0, unsaid = 0, by_pixels = 0;
-  const auto note = [&](Fault odd) {
+  const auto addNote = [&](Fault odd) {
     if (list.notes.size() < kMaxNotes) {
       list.notes.push_back(std::move(odd));
     } else {
@@ -333,7 +333,7 @@ Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
     point.source = simdjson::minify(row);
     const auto off = frame ? pixelsOff(row, *position, *frame, topology.scale.pixels_per_m) : std::nullopt;
     if (off && !(*off <= 1)) {
-      note({fault::PointOff, {point.id, point.name, *off}});
+      addNote({fault::PointOff, {point.id, point.name, *off}});
       topology.two_places.insert(point.id);
     }
     list.points.push_back(std::move(point));

@@ -164,36 +164,38 @@ void PointChanges::send(const ChangePtr& change, const QByteArray& body) {
 }
 
 void PointChanges::look(const ChangePtr& change) {
-  link_.topology(
-      change->task, change->key, TopologyUse::Changing,
-      [this, change](const Outcome<Topology>& now, const ParsedMap*) {
-        if (!now) {
-          map::Failure failure = now.error();
-          failure.applied = map::Applied::Maybe;
-          return take(change, std::move(failure));
-        }
-        const map::Waypoint& wanted = *change->what.after;
-        const map::Waypoint* kept = change->id.empty() ? nullptr : pointIn(now->list, change->id);
-        if (!kept && !change->what.before) {
-          // The creator got no id in the answer.
-          for (const map::Waypoint& point : now->list.points) {
-            if (!change->ids_before.contains(point.id) && point.name == wanted.name) kept = &point;
-          }
-        }
-        if (!kept)
-          return take(change, wire::otherwise(change->subject(), {fault::PointNotListed, {wanted.name}}));
-        change->id = kept->id;
-        if (!change->isNear(*kept))
-          return take(change, wire::otherwise(change->subject(),
-                                              {fault::PointElsewhere, {wanted.name, change->farOff(*kept)}}));
-        if (kept->name != wanted.name || (!wanted.type.empty() && kept->type != wanted.type) ||
-            !change->isTurnedSo(*kept))
-          return take(change, wire::otherwise(change->subject(), {fault::PointOtherwise, {wanted.name}}));
-        take(change, std::nullopt);
-      });
+  link_.topology(change->task, change->key, TopologyUse::Changing,
+                 [this, change](const Outcome<Topology>& now, const ParsedMap*) {
+                   if (!now) {
+                     map::Failure failure = now.error();
+                     failure.applied = map::Applied::Maybe;
+                     return endOrRetry(change, std::move(failure));
+                   }
+                   const map::Waypoint& wanted = *change->what.after;
+                   const map::Waypoint* kept = change->id.empty() ? nullptr : pointIn(now->list, change->id);
+                   if (!kept && !change->what.before) {
+                     // The creator got no id in the answer.
+                     for (const map::Waypoint& point : now->list.points) {
+                       if (!change->ids_before.contains(point.id) && point.name == wanted.name) kept = &point;
+                     }
+                   }
+                   if (!kept)
+                     return endOrRetry(
+                         change, wire::otherwise(change->subject(), {fault::PointNotListed, {wanted.name}}));
+                   change->id = kept->id;
+                   if (!change->isNear(*kept))
+                     return endOrRetry(
+                         change, wire::otherwise(change->subject(), {fault::PointElsewhere,
+                                                                     {wanted.name, change->farOff(*kept)}}));
+                   if (kept->name != wanted.name || (!wanted.type.empty() && kept->type != wanted.type) ||
+                       !change->isTurnedSo(*kept))
+                     return endOrRetry(
+                         change, wire::otherwise(change->subject(), {fault::PointOtherwise, {wanted.name}}));
+                   endOrRetry(change, std::nullopt);
+                 });
 }
 
-void PointChanges::take(const ChangePtr& change, std::optional<map::Failure> wrong) {
+void PointChanges::endOrRetry(const ChangePtr& change, std::optional<map::Failure> wrong) {
   if (!wrong) {
     WaypointReceipt receipt;
     if (!change->what.before && change->id != change->what.id) receipt.ids[change->what.id] = change->id;

@@ -37,7 +37,7 @@ class PointChanges {
   static Outcome<QByteArray> requestFor(Change& change, const Topology& now, const ParsedMap* frame);
   void send(const ChangePtr& change, const QByteArray& body);
   void look(const ChangePtr& change);
-  void take(const ChangePtr& change, std::optional<map::Failure> wrong);
+  void endOrRetry(const ChangePtr& change, std::optional<map::Failure> wrong);
 
   AimdkLink& link_;
   const ChangeTimes times_;

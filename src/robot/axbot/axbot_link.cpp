@@ -70,7 +70,7 @@ AxbotLink::AxbotLink(LinkOptions options)
                             Consequence::AskedAgainEachTime}});
     });
   }
-  grids_.setTaker([this](map::TopicMessage message) {
+  grids_.setReceiver([this](map::TopicMessage message) {
     const auto* grid = std::get_if<map::GridMessage>(&message);
     const std::string topic = grid ? grid->topic : std::string();
     emitTopic(topic, std::move(message));
@@ -445,7 +445,7 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 void AxbotLink::publishState() {
   ConnectionState state = wire::stateOf(socket_, wanted_);
   if (state.reason.any()) state.reason = unavailableReason();
-  link_log_.note(state);
+  link_log_.record(state);
   Q_EMIT silenceChanged(socket_.silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }

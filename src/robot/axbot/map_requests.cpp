@@ -266,7 +266,7 @@ void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& 
       fetch->map.fingerprint = wire::fingerprint(*fetch->map.bytes);
       fetch->map.body_bytes = fetch->map.bytes->size();
       fetch->map.from_cache = answer.from_cache;
-      origins_.note(fetch->map.fingerprint, url);
+      origins_.remember(fetch->map.fingerprint, url);
       if (const auto size = wire::pngSize(*fetch->map.bytes))
         std::tie(fetch->map.grid.width, fetch->map.grid.height) = *size;
     }
@@ -321,7 +321,7 @@ void GridFetcher::fetch(GridToFetch wanted) {
 void GridFetcher::start(const GridToFetch& wanted) {
   const QUrl url = robotUrl(server_.base, wanted.data_url);
   if (!url.isValid()) {
-    take_(map::UnreadableMessage{
+    receive_(map::UnreadableMessage{
         wanted.grid.topic, Fault(fault::PictureAddressInvalid).followedBy(Consequence::PictureBeforeStays)});
     return;
   }
@@ -341,14 +341,14 @@ void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::
     complete.fingerprint = wire::fingerprint(*complete.png);
     complete.body_bytes = std::size_t(answer.body.size());
     complete.from_cache = answer.from_cache;
-    origins_.note(complete.fingerprint, url);
+    origins_.remember(complete.fingerprint, url);
     if (keep_) keep_(grid.topic, wanted.data_url, complete.png);
-    take_(std::move(complete));
+    receive_(std::move(complete));
     return;
   }
   if (answer.ok()) server_.http.discard(url);
   const Fault why = answer.ok() ? Fault(fault::AnswerIsEmpty) : answer.reason;
-  take_(map::UnreadableMessage{
+  receive_(map::UnreadableMessage{
       grid.topic,
       {fault::PictureNotHad, {url.path().left(120).toStdString()}, {why}, Consequence::PictureBeforeStays}});
 }

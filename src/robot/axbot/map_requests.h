@@ -68,8 +68,8 @@ class GridFetcher {
   explicit GridFetcher(RobotServer server) : server_(std::move(server)) {}
 
   /// Gets a GridMessage with its picture, or an UnreadableMessage.
-  using Take = std::function<void(map::TopicMessage)>;
-  void setTaker(Take take) { take_ = std::move(take); }
+  using Receive = std::function<void(map::TopicMessage)>;
+  void setReceiver(Receive receive) { receive_ = std::move(receive); }
   /// Gets every picture (PNG) with its topic and its address in the message.
   using Keep = std::function<void(const std::string& topic, const std::string& data_url,
                                   std::shared_ptr<const std::string> picture)>;
@@ -90,7 +90,7 @@ class GridFetcher {
   void finish(const GridToFetch& wanted, const QUrl& url, const net::HttpAnswer& answer);
 
   const RobotServer server_;
-  Take take_;
+  Receive receive_;
   Keep keep_;
   PictureOrigins origins_;
   std::map<std::string, Job> jobs_;  // by topic

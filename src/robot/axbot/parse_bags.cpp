@@ -140,8 +140,8 @@ void clear(BagChunk& chunk) {
 
 /// The elements of the list at the cursor. Each is read in place; as all are valid JSON, so is the list.
 bool readList(JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& chunk) {
-  if (!json.take('[')) return false;
-  if (json.peek() == ']') return json.take(']');
+  if (!json.consume('[')) return false;
+  if (json.peek() == ']') return json.consume(']');
   do {
     if (json.peek() != '{') {
       if (!json.readScalar()) return false;
@@ -155,8 +155,8 @@ bool readList(JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& 
       if (!behind || !reader.add({start, std::size_t(behind - start)})) return false;
     }
     json = JsonCursor(behind);
-  } while (json.take(','));
-  return json.take(']');
+  } while (json.consume(','));
+  return json.consume(']');
 }
 
 /// Reads the messages of chunk.text in one pass. false: unusual formatting, or not JSON; nothing was read.
@@ -166,18 +166,18 @@ bool readQuickly(BagChunk& chunk) {
   ChunkReader reader(chunk);
   JsonCursor json(chunk.text->c_str());
   json.skipSpace();
-  if (!json.take('{')) return false;
+  if (!json.consume('{')) return false;
   bool has_messages = false;
   do {
     std::string_view key;
-    if (!json.readString(key) || !json.take(':')) return false;
+    if (!json.readString(key) || !json.consume(':')) return false;
     if (key != "messages") {
       if (!json.readScalar()) return false;
     } else if (std::exchange(has_messages, true) || !readList(json, end, reader, chunk)) {
       return false;
     }
-  } while (json.take(','));
-  return has_messages && json.take('}') && json.at() == end;
+  } while (json.consume(','));
+  return has_messages && json.consume('}') && json.at() == end;
 }
 
 /// The same for any JSON; returns what is wrong with the text as a whole. On failure there are no messages.

@@ -97,22 +97,22 @@ class Reader {
       return;
     }
     const auto coordinates = wire::member(geometry, {"coordinates"});
-    if (!coordinates) return note(model, fault::GeometryUnreadable, std::nullopt);
+    if (!coordinates) return addBroken(model, fault::GeometryUnreadable, std::nullopt);
     if (!type.starts_with(kMulti)) return add(type, *coordinates, model, properties);
     type.remove_prefix(kMulti.size());
     wire::JsonList parts;
-    if (coordinates->get(parts)) return note(model, fault::GeometryUnreadable, std::nullopt);
+    if (coordinates->get(parts)) return addBroken(model, fault::GeometryUnreadable, std::nullopt);
     for (const Json part : parts) add(type, part, model, properties);
   }
 
-  void note(const OverlayFeature& feature, Fault reason, std::optional<Eigen::Vector2d> at_m) {
+  void addBroken(const OverlayFeature& feature, Fault reason, std::optional<Eigen::Vector2d> at_m) {
     if (broken_) broken_->push_back({feature.id, feature.name, std::move(reason), at_m});
   }
 
   void add(std::string_view type, const Json& coordinates, OverlayFeature feature, const Json& properties) {
     if (type == "Point") {
       const auto at = wire::asPoint(coordinates);
-      if (!at) return note(feature, fault::GeometryUnreadable, std::nullopt);
+      if (!at) return addBroken(feature, fault::GeometryUnreadable, std::nullopt);
       feature.shape = OverlayShape::Point;
       feature.type = wire::smallInteger(properties, {"type"}).value_or(0);
       if (const auto yaw = wire::number(properties, {"yaw"}))
@@ -123,7 +123,7 @@ class Reader {
       feature.type = wire::smallInteger(properties, {"lineType"}).value_or(0);
       feature.parts.push_back(wire::asPolyline(coordinates));
       if (feature.parts[0].size() < 2)
-        return note(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
+        return addBroken(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
     } else if (type == "Polygon") {
       feature.shape = OverlayShape::Polygon;
       feature.type = wire::smallInteger(properties, {"regionType"}).value_or(0);
@@ -132,10 +132,11 @@ class Reader {
         for (const Json ring : rings) addRing(wire::asPolyline(ring), feature);
       }
       if (feature.parts.empty())
-        return note(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
+        return addBroken(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
     } else {
-      return note(feature, {faultText("axbot", "Its geometry \"%1\" is not known."), {std::string(type)}},
-                  somePoint(coordinates, kDeepest));
+      return addBroken(feature,
+                       {faultText("axbot", "Its geometry \"%1\" is not known."), {std::string(type)}},
+                       somePoint(coordinates, kDeepest));
     }
     out_.push_back(std::move(feature));
   }

@@ -225,13 +225,13 @@ std::string binaryTypeDefinition() {
   google::protobuf::FileDescriptorSet files;
   std::set<std::string> taken;
   // Each after its dependencies.
-  const std::function<void(const google::protobuf::FileDescriptor&)> take =
+  const std::function<void(const google::protobuf::FileDescriptor&)> addFile =
       [&](const google::protobuf::FileDescriptor& file) {
         if (!taken.insert(file.name()).second) return;
-        for (int i = 0; i < file.dependency_count(); ++i) take(*file.dependency(i));
+        for (int i = 0; i < file.dependency_count(); ++i) addFile(*file.dependency(i));
         file.CopyTo(files.add_file());
       };
-  take(*ros_messages::RosMessageWrapper::descriptor()->file());
+  addFile(*ros_messages::RosMessageWrapper::descriptor()->file());
   return files.SerializeAsString();
 }
 

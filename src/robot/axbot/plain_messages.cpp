@@ -27,14 +27,14 @@ Member memberOf(std::string_view key) {
 /// [x, y, …]: the count of numbers, of which the first `room` are stored; only numbers.
 bool addRow(JsonCursor& json, double* numbers, std::size_t room, std::size_t& count) {
   count = 0;
-  if (!json.take('[')) return false;
-  if (json.peek() == ']') return json.take(']');
+  if (!json.consume('[')) return false;
+  if (json.peek() == ']') return json.consume(']');
   double beyond = 0;
   do {
     if (!json.readNumber(count < room ? numbers[count] : beyond)) return false;
     ++count;
-  } while (json.take(','));
-  return json.take(']');
+  } while (json.consume(','));
+  return json.consume(']');
 }
 
 bool readPosition(JsonCursor& json, geometry::Pose2& pose) {
@@ -47,21 +47,22 @@ bool readPosition(JsonCursor& json, geometry::Pose2& pose) {
 }
 
 bool readPoints(JsonCursor& json, CloudPoints& cloud) {
-  if (!json.take('[')) return false;
-  if (json.peek() == ']') return json.take(']');
+  if (!json.consume('[')) return false;
+  if (json.peek() == ']') return json.consume(']');
   do {
     double numbers[4] = {std::nan(""), std::nan(""), 0, 0};
     std::size_t count = 0;
     if (!addRow(json, numbers, 4, count) || cloud.full()) return false;
     cloud.add(numbers[0], numbers[1], numbers[2], numbers[3]);
-  } while (json.take(','));
-  return json.take(']');
+  } while (json.consume(','));
+  return json.consume(']');
 }
 
 /// The topic of a message that begins with it.
 bool readTopic(JsonCursor& json, std::string_view& topic) {
   std::string_view key;
-  return json.take('{') && json.readString(key) && key == "topic" && json.take(':') && json.readString(topic);
+  return json.consume('{') && json.readString(key) && key == "topic" && json.consume(':') &&
+         json.readString(topic);
 }
 
 }  // namespace
@@ -77,9 +78,9 @@ const char* PlainMessages::read(const char* at, BagMessage& message) {
   CloudPoints cloud;
   if (!is_pose) cloud.reserve(last_count_);
   unsigned seen = 1u << unsigned(Member::Topic);
-  while (json.take(',')) {
+  while (json.consume(',')) {
     std::string_view key;
-    if (!json.readString(key) || !json.take(':')) return nullptr;
+    if (!json.readString(key) || !json.consume(':')) return nullptr;
     Member member = memberOf(key);
     if (member == (is_pose ? Member::Points : Member::Position)) member = Member::Other;
     if (!is_pose && member == Member::Heading) member = Member::Other;
@@ -143,7 +144,7 @@ void PlainMessages::remember(std::string_view json, const BagMessage& message, s
   const std::size_t stamp = json.rfind(kStamp);
   if (stamp == std::string_view::npos || json.find(kStamp) != stamp) return;
   JsonCursor number(json.data() + stamp + kStamp.size());
-  if (!number.take(':')) return;
+  if (!number.consume(':')) return;
   const std::string_view before = json.substr(0, std::size_t(number.at() - json.data()));
   double stamp_s = 0;
   if (!number.readNumber(stamp_s) || stamp_s != message.message.received_s) return;

@@ -30,7 +30,7 @@ class JsonCursor {
     while (*at_ == ' ' || *at_ == '\n' || *at_ == '\r' || *at_ == '\t') ++at_;
   }
   /// `c` with surrounding white space.
-  bool take(char c) {
+  bool consume(char c) {
     skipSpace();
     if (*at_ != c) return false;
     ++at_;

@@ -104,13 +104,13 @@ struct Download {
     if (first.of_bytes) of_bytes = begun_at + *first.of_bytes;
     return true;
   }
-  bool take(const net::HttpPart& received) {
+  bool receive(const net::HttpPart& received) {
     if (!begun && !begin(received)) return false;
     // What waits in a buffer is not on the disk, which may be full. QFile does not say why only a part of it
     // was written.
     errno = 0;
     if (part.write(received.bytes) == received.bytes.size() && part.flush()) {
-      task->tell({part.pos(), of_bytes});
+      task->reportProgress({part.pos(), of_bytes});
       return true;
     }
     trouble = notWritten(errno != 0 ? qt_error_string(errno) : part.errorString());
@@ -228,9 +228,9 @@ void downloadResumed(const wire::TaskPtr& task, net::HttpClient& http, DownloadO
   if (download->begun_at == 0) download->held_of = {};
   request.if_etag = download->held_of.etag;
   // The request must not keep its own download alive after its end.
-  request.take = [weak = std::weak_ptr<Download>(download)](const net::HttpPart& received) {
+  request.receive = [weak = std::weak_ptr<Download>(download)](const net::HttpPart& received) {
     const DownloadPtr alive = weak.lock();
-    return alive && alive->take(received);
+    return alive && alive->receive(received);
   };
   sendDownload(download);
 }

@@ -64,7 +64,7 @@ Outcome<std::shared_ptr<const std::string>> pictureOf(const net::HttpAnswer& ans
 /// The addresses of the latest pictures.
 class PictureOrigins {
  public:
-  void note(const std::string& fingerprint, const QUrl& url) {
+  void remember(const std::string& fingerprint, const QUrl& url) {
     latest_.emplace_back(fingerprint, url);
     if (latest_.size() > kKept) latest_.pop_front();
   }

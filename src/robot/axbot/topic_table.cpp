@@ -283,13 +283,13 @@ std::optional<geometry::Pose2> poseOf(const Json& object) {
   return wire::asPose(wire::member(object, {"pose"}).value_or(object));
 }
 
-/// Calls `take` for every object in a list member; anything else counts as empty.
-template <typename Take>
-void forEachObject(const Json& message, wire::Names names, Take take) {
+/// Calls `visit` for every object in a list member; anything else counts as empty.
+template <typename Visit>
+void forEachObject(const Json& message, wire::Names names, Visit visit) {
   const auto rows = wire::list(message, names);
   if (!rows) return;
   for (const Json row : *rows) {
-    if (row.is_object()) take(row);
+    if (row.is_object()) visit(row);
   }
 }
 

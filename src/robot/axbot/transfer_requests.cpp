@@ -139,7 +139,7 @@ void TransferRequests::send(const AdditionPtr& addition) {
   net::HttpRequest request = server_.request(kAllMapsPath);
   request.method = net::HttpMethod::Post;
   request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
-  const auto take = [this, addition](const net::HttpAnswer& answer) {
+  const auto onAnswer = [this, addition](const net::HttpAnswer& answer) {
     if (answer.ok()) {
       auto refusal = refusalIn(answer, addition->subject());
       const std::string id = refusal ? std::string() : parseNewId(wire::view(answer.body));
@@ -151,7 +151,7 @@ void TransferRequests::send(const AdditionPtr& addition) {
     if (failure.applied != map::Applied::No) failure.applied = map::Applied::Maybe;
     findNew(addition, {}, std::move(failure));
   };
-  wire::send(addition->task, server_.http, std::move(request), take, true);
+  wire::send(addition->task, server_.http, std::move(request), onAnswer, true);
 }
 
 void TransferRequests::findNew(const AdditionPtr& addition, const std::string& told_id,

@@ -51,7 +51,7 @@ std::string readingText(const map::CellReading& reading) {
          std::to_string(reading.occupied_thresh) + " " + std::to_string(reading.free_thresh);
 }
 
-void note(map::WholeMap& whole, map::Severity severity, Fault odd) {
+void addNote(map::WholeMap& whole, map::Severity severity, Fault odd) {
   whole.notes.push_back({severity, map::subjectOf(whole.key, whole.name), std::move(odd)});
 }
 
@@ -76,10 +76,10 @@ tl::expected<map::WholeMap, Fault> fromYaml(const QString& path, YamlShelf& yaml
   const QString picture = QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(yaml->image)));
   if (auto why = unreadableReason(picture)) return refused({fault::PictureNotReadable, {}, {*why}});
   whole.path = picture.toStdString();
-  for (Fault& odd : yaml->notes) note(whole, map::Severity::Warning, std::move(odd));
+  for (Fault& odd : yaml->notes) addNote(whole, map::Severity::Warning, std::move(odd));
   if (!liesBelow(trueFolder(picture), trueFolder(path))) {
-    note(whole, map::Severity::Info,
-         {faultText("files", "Its picture is outside its folder: %1."), {whole.path}});
+    addNote(whole, map::Severity::Info,
+            {faultText("files", "Its picture is outside its folder: %1."), {whole.path}});
   }
   return whole;
 }
@@ -104,24 +104,25 @@ map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const 
   whole.grid.resolution_m = place.resolution_m.value_or(kUsualResolutionM);
   whole.grid.origin = place.origin.value_or(geometry::Pose2{});
   if (!place.resolution_m) {
-    note(whole, map::Severity::Warning,
-         faultText("files",
-                   "A picture alone does not tell the size of its cells. 0.05 m is assumed; "
-                   "append ?resolution=0.05 to the path to change it."));
+    addNote(whole, map::Severity::Warning,
+            faultText("files",
+                      "A picture alone does not tell the size of its cells. 0.05 m is assumed; "
+                      "append ?resolution=0.05 to the path to change it."));
   }
   const QString stem = QFileInfo(path).absolutePath() + QLatin1Char('/') + QFileInfo(path).completeBaseName();
   for (const char* suffix : {".yaml", ".yml"}) {
     const QString beside = stem + QLatin1String(suffix);
     if (!named_by.isEmpty() || place.resolution_m || !QFileInfo::exists(beside)) continue;
-    note(whole, map::Severity::Info,
-         {faultText(
-              "files",
-              "%1 in the same folder does not name this picture as its image, or is not a valid map.yaml."),
-          {QFileInfo(beside).fileName().toStdString()}});
+    addNote(
+        whole, map::Severity::Info,
+        {faultText(
+             "files",
+             "%1 in the same folder does not name this picture as its image, or is not a valid map.yaml."),
+         {QFileInfo(beside).fileName().toStdString()}});
     break;
   }
   if (!named_by.isEmpty()) {
-    note(whole, map::Severity::Warning, several(named_by));
+    addNote(whole, map::Severity::Warning, several(named_by));
   }
   return whole;
 }

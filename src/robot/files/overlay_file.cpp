@@ -83,7 +83,7 @@ Outcome<std::string> OverlayFiles::textOf(const Place& place) const {
   return std::move(*text);
 }
 
-OverlayText OverlayFiles::note(const Place& place, std::string text) {
+OverlayText OverlayFiles::remember(const Place& place, std::string text) {
   Known& known = known_[place.path];
   if (known.version == 0 || known.text != text) ++known.version;
   known.text = std::move(text);
@@ -95,7 +95,7 @@ Outcome<OverlayText> OverlayFiles::read(const map::MapKey& key) {
   if (!place) return fail(place.error());
   auto text = textOf(*place);
   if (!text) return fail(text.error());
-  return note(*place, std::move(*text));
+  return remember(*place, std::move(*text));
 }
 
 Outcome<std::monostate> OverlayFiles::write(const map::MapKey& key, const std::string& text) {
@@ -119,7 +119,7 @@ Outcome<std::monostate> OverlayFiles::write(const map::MapKey& key, const std::s
     refused.applied = map::Applied::No;
     return fail(std::move(refused));
   }
-  note(*place, text);
+  remember(*place, text);
   return std::monostate();
 }
 

@@ -43,7 +43,7 @@ class OverlayFiles : public QObject {
   Outcome<Place> placeOf(const map::MapKey& key) const;
   map::Failure failure(const Place& place, map::FailureKind kind, Fault cause) const;
   Outcome<std::string> textOf(const Place& place) const;
-  OverlayText note(const Place& place, std::string text);
+  OverlayText remember(const Place& place, std::string text);
 
   FileOptions options_;
   std::map<QString, Known> known_;  // by path

@@ -187,7 +187,7 @@ std::optional<Understood> understand(const element& feature) {
 /// Gives every feature a unique id.
 class Names {
  public:
-  std::string take(const Understood& read) {
+  std::string assign(const Understood& read) {
     const std::string wanted = read.has_id ? read.point.id : "unnamed " + read.point.name;
     std::string id = wanted;
     for (int turn = 2; !taken_.insert(id).second; ++turn) id = wanted + " #" + std::to_string(turn);
@@ -257,7 +257,7 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
         return refused(
             {faultText("files", "it has more than %1 waypoints"), {std::to_string(kMaxWaypoints)}});
       }
-      const std::string id = names.take(*read);
+      const std::string id = names.assign(*read);
       if (read->has_id && id != read->point.id)
         collection.notes.push_back({robot::wire::fault::WaypointIdTwice, {read->point.id.substr(0, 80)}});
       read->has_id = read->has_id && id == read->point.id;

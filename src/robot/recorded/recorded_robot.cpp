@@ -168,7 +168,7 @@ void RecordedRobot::enter(ConnectionPhase phase, const Fault& reason) {
   const ConnectionState state{phase, reason, 0, {}, {}};
   if (state == state_) return;
   state_ = state;
-  link_log_.note(state);
+  link_log_.record(state);
   Q_EMIT connectionChanged();
 }
 

@@ -265,7 +265,7 @@ void DispatchRequests::ask(const wire::TaskPtr& task, DispatchService service, Q
   request.args = args;
   request.timeout = timeout;
   request.large = true;
-  request.arriving = [task](qint64 bytes) { task->tell({bytes, std::nullopt}); };
+  request.arriving = [task](qint64 bytes) { task->reportProgress({bytes, std::nullopt}); };
   call(task, client_, std::move(request),
        [self = QPointer(this), task, service, args, timeout, name = there->name, asked_for,
         then = std::move(then)](const CallAnswer& answer) {

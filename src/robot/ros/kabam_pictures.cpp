@@ -217,7 +217,7 @@ void KabamPictures::send(const WritingPtr& writing) {
   request.service = state.place() + "/update_map_image";
   request.made_while_sent = writing->args;
   request.travelled = [task = writing->task](qint64 bytes, qint64 of_bytes) {
-    task->tell({bytes, of_bytes});
+    task->reportProgress({bytes, of_bytes});
   };
   request.large = true;
   request.timeout = timeouts_.call + timeFor(*writing->change.cells);

@@ -269,7 +269,7 @@ void RosLink::publishState() {
     state.reason = {fault::NoMapManagerThere, {host}};
     state.retry_in_ms = std::max(0, look_timer_.remainingTime());
   }
-  link_log_.note(state);
+  link_log_.record(state);
   Q_EMIT silenceChanged(client_->link().silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }

@@ -40,7 +40,7 @@ class CatalogueOf : public MapCatalogue {
     }
   }
   void discardThumbnail(const map::MapKey& key) override {
-    if constexpr (requires { &Maps::discardThumbnail; }) maps_.tell(&Maps::discardThumbnail, key);
+    if constexpr (requires { &Maps::discardThumbnail; }) maps_.post(&Maps::discardThumbnail, key);
   }
 
  private:
@@ -57,7 +57,7 @@ class WholeMapsOf : public WholeMapSource {
     return maps_.ask(map::subjectOf(key), std::move(reply), &Maps::fetch, key);
   }
   void discardPicture(const std::string& fingerprint) override {
-    if constexpr (requires { &Maps::discardPicture; }) maps_.tell(&Maps::discardPicture, fingerprint);
+    if constexpr (requires { &Maps::discardPicture; }) maps_.post(&Maps::discardPicture, fingerprint);
   }
 
  private:
@@ -95,7 +95,7 @@ class SubmapsOf : public SubmapSource {
     }
   }
   void discard(const map::SubmapKey& key, std::int32_t answered_version) override {
-    if constexpr (requires { &Maps::discardSubmap; }) maps_.tell(&Maps::discardSubmap, key, answered_version);
+    if constexpr (requires { &Maps::discardSubmap; }) maps_.post(&Maps::discardSubmap, key, answered_version);
   }
 
  private:
@@ -171,10 +171,10 @@ class TopicsOf : public LiveTopics {
  public:
   explicit TopicsOf(Link* link) : link_(link), places_(link->places()) {}
   void setWanted(const map::Streams& streams, const QStringList& topics) override {
-    link_.tell(&Link::setWanted, streams, topics);
+    link_.post(&Link::setWanted, streams, topics);
   }
-  void setBasics(const Basics& basics) override { link_.tell(&Link::setBasics, basics); }
-  void setWatching(bool on) override { link_.tell(&Link::setWatching, on); }
+  void setBasics(const Basics& basics) override { link_.post(&Link::setBasics, basics); }
+  void setWatching(bool on) override { link_.post(&Link::setWatching, on); }
   void setTap(FrameTap tap) override { places_->tap.set(std::move(tap)); }
 
  private:

@@ -35,7 +35,7 @@ void Requests::end(quint64 ticket, Outcome<Value> outcome) {
 }
 
 /// The listener may destroy this.
-void Requests::tell(quint64 ticket, Progress progress) {
+void Requests::reportProgress(quint64 ticket, Progress progress) {
   const auto found = entries_.find(ticket);
   if (found == entries_.end()) return;
   found->second.state->progress = progress;
@@ -48,7 +48,7 @@ Call Requests::send(QObject* link, const map::Subject& subject, OutcomeTo<Value>
   const quint64 ticket = add(std::move(reply), state);
   const auto task = std::make_shared<Task>([this, ticket](Progress progress) {
     QMetaObject::invokeMethod(
-        this, [this, ticket, progress] { tell(ticket, progress); }, Qt::QueuedConnection);
+        this, [this, ticket, progress] { reportProgress(ticket, progress); }, Qt::QueuedConnection);
   });
   QMetaObject::invokeMethod(
       link,

@@ -48,7 +48,7 @@ class Requests : public QObject {
   quint64 add(OutcomeTo<Value> reply, std::shared_ptr<Call::State> state);
   void postEnd(quint64 ticket, Outcome<Value> outcome);
   void end(quint64 ticket, Outcome<Value> outcome);
-  void tell(quint64 ticket, Progress progress);
+  void reportProgress(quint64 ticket, Progress progress);
 
   quint64 last_ = 0;
   std::unordered_map<quint64, Entry> entries_;  // by ticket
@@ -86,7 +86,7 @@ class LinkRef {
   }
   /// Nothing comes back.
   template <typename Order, typename... Args>
-  void tell(Order order, Args... args) const {
+  void post(Order order, Args... args) const {
     QMetaObject::invokeMethod(link_, [part = part_, order, args...] { std::invoke(order, part(), args...); });
   }
   /// The reply to a change, with `changed` called before it if something may have been changed. That may

@@ -39,7 +39,7 @@ void send(const TaskPtr& task, net::HttpClient& http, net::HttpRequest request, 
           bool tells) {
   if (tells) {
     request.progress = [task](const net::HttpProgress& progress) {
-      task->tell({progress.bytes, progress.of_bytes});
+      task->reportProgress({progress.bytes, progress.of_bytes});
     };
   }
   const auto number = std::make_shared<int>(0);

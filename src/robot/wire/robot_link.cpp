@@ -121,7 +121,7 @@ void DeliveryPlace::hold(Parcel parcel) {
   }
 }
 
-void LinkLog::note(const ConnectionState& state) {
+void LinkLog::record(const ConnectionState& state) {
   const bool same = state.phase == last_.phase && state.reason == last_.reason;
   last_ = state;
   if (same) return;
@@ -132,7 +132,7 @@ void LinkLog::note(const ConnectionState& state) {
          next.c_str());
 }
 
-void LinkLog::note(const Fault& fault) {
+void LinkLog::record(const Fault& fault) {
   qCInfo(category_, "%s: %s", who_.c_str(), inEnglish(fault).c_str());
 }
 
@@ -148,7 +148,7 @@ RobotLink::RobotLink(const QLoggingCategory& log, const QUrl& server, const QByt
 }
 
 void RobotLink::report(map::Severity severity, Fault reason) {
-  link_log_.note(reason);
+  link_log_.record(reason);
   Q_EMIT problemFound({severity, map::Subject(map::SubjectKind::Robot, server_), std::move(reason)});
 }
 

@@ -140,8 +140,8 @@ class LinkLog {
  public:
   /// `category` outlives this. `who`: the robot, "10.0.0.7:8090", or a file.
   LinkLog(const QLoggingCategory& category, std::string who) : category_(category), who_(std::move(who)) {}
-  void note(const ConnectionState& state);
-  void note(const Fault& fault);
+  void record(const ConnectionState& state);
+  void record(const Fault& fault);
 
  private:
   const QLoggingCategory& category_;

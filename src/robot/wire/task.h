@@ -29,7 +29,7 @@ class Task {
   void ended(int number) { in_progress_.erase(number); }
   /// Cancels everything in progress, and everything started later.
   void cancel();
-  void tell(Progress progress) const {
+  void reportProgress(Progress progress) const {
     if (listener_) listener_(progress);
   }
 
