@@ -155,7 +155,7 @@ void toTiles(benchmark::State& state, const QByteArray& bytes, Frame::Wire wire)
   for (auto _ : state) {
     robot::ros::RosWorld world;
     const auto frame = Frame::read(bytes, wire);
-    const auto results = world.take(source, frame->root()["msg"], 1);
+    const auto results = world.add(source, frame->root()["msg"], 1);
     const auto* const grid =
         results.front().message ? std::get_if<map::GridMessage>(&*results.front().message) : nullptr;
     if (!grid) {
@@ -205,7 +205,7 @@ void RosTransformsTaken(benchmark::State& state) {
     const QByteArray bytes = transforms(30, at_s += 0.01);
     state.ResumeTiming();
     const auto frame = Frame::read(bytes, Frame::Wire::Text);
-    world.take(source, frame->root()["msg"], at_s);
+    world.add(source, frame->root()["msg"], at_s);
     const auto pose = world.pose();
     if (!pose || !*pose) state.SkipWithError("there is no pose");
   }

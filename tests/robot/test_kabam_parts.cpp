@@ -231,7 +231,7 @@ class KabamPartsTest : public QObject {
     KabamState book;
     const auto give = [&](const char* topic, const char* text) {
       const Sent sent = byJson(text);
-      return book.take(topic, sent.frame, sent.msg);
+      return book.apply(topic, sent.frame, sent.msg);
     };
     give(
         "/map_manager/map_list",

@@ -38,13 +38,13 @@ QByteArray pose(double x, double y, double yaw = 0) {
 /// What is seen of a message of that type, in a frame that lies at (10, 0), turned by 90 degrees.
 map::SeenObjectsMessage seenOf(const char* type, const QByteArray& message) {
   RosWorld world;
-  world.take({Stream::Pose, Form::StaticTf, "/tf_static", {}, {}, true},
-             byJson(R"({"transforms":[{"header":{"frame_id":"map"},"child_frame_id":"sensor","transform":)"
-                    R"({"translation":{"x":10,"y":0,"z":0},"rotation":{"x":0,"y":0,"z":)" +
-                    written(std::sin(M_PI / 4)) + R"(,"w":)" + written(std::cos(M_PI / 4)) + "}}}]}")
-                 .msg,
-             kNow);
-  world.take({Stream::SeenObjects, Form::Markers, "/drawn", type, {}, true}, byJson(message).msg, kNow);
+  world.add({Stream::Pose, Form::StaticTf, "/tf_static", {}, {}, true},
+            byJson(R"({"transforms":[{"header":{"frame_id":"map"},"child_frame_id":"sensor","transform":)"
+                   R"({"translation":{"x":10,"y":0,"z":0},"rotation":{"x":0,"y":0,"z":)" +
+                   written(std::sin(M_PI / 4)) + R"(,"w":)" + written(std::cos(M_PI / 4)) + "}}}]}")
+                .msg,
+            kNow);
+  world.add({Stream::SeenObjects, Form::Markers, "/drawn", type, {}, true}, byJson(message).msg, kNow);
   return world.seenObjects();
 }
 
@@ -188,17 +188,17 @@ class RosDrawnTest : public QObject {
     const Source source{Stream::SeenObjects, Form::Markers, "/a", "nav_msgs/Path", {}, true};
     const QByteArray two =
         "{" + header() + R"(,"poses":[{"pose":)" + pose(1, 0) + R"(},{"pose":)" + pose(2, 0) + "}]}";
-    world.take(source, byJson(two).msg, kNow);
+    world.add(source, byJson(two).msg, kNow);
     QCOMPARE(world.seenObjects().drawings.size(), std::size_t(1));
-    world.take(source, byJson("{" + header() + R"(,"poses":[]})").msg, kNow);
+    world.add(source, byJson("{" + header() + R"(,"poses":[]})").msg, kNow);
     QVERIFY(world.seenObjects().drawings.empty());
   }
 
   void whatIsNotAMessageOfItsTypeIsUnreadable() {
     for (const std::string& type : drawnTypes()) {
       RosWorld world;
-      const auto results = world.take({Stream::SeenObjects, Form::Markers, "/a", type, {}, true},
-                                      byJson(R"({"data":[1,2]})").msg, kNow);
+      const auto results = world.add({Stream::SeenObjects, Form::Markers, "/a", type, {}, true},
+                                     byJson(R"({"data":[1,2]})").msg, kNow);
       QVERIFY2(results.back().unreadable.has_value(), type.c_str());
     }
   }
@@ -208,11 +208,11 @@ class RosDrawnTest : public QObject {
     const QByteArray rest =
         R"(,"ns":"a","action":0,"pose":)" + pose(1, 2) + R"(,"scale":{"x":1,"y":1,"z":1})";
     const auto results =
-        world.take({Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true},
-                   byJson(R"({"markers":[{"id":1,"type":10,"mesh_resource":"package://a/b.dae",)" + header() +
-                          rest + R"(},{"id":2,"type":77,)" + header() + rest + "}]}")
-                       .msg,
-                   kNow);
+        world.add({Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true},
+                  byJson(R"({"markers":[{"id":1,"type":10,"mesh_resource":"package://a/b.dae",)" + header() +
+                         rest + R"(},{"id":2,"type":77,)" + header() + rest + "}]}")
+                      .msg,
+                  kNow);
     QCOMPARE(results.back().notes.size(), std::size_t(2));
     QCOMPARE(results.back().notes[0], Fault(robot::ros::fault::RosMarkersUnknown, {std::int64_t(1)}));
     QCOMPARE(results.back().notes[1],
@@ -223,12 +223,12 @@ class RosDrawnTest : public QObject {
 
   void trianglesAreFilled() {
     RosWorld world;
-    world.take({Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true},
-               byJson(R"({"markers":[{"id":1,"type":11,)" + header() + R"(,"ns":"a","action":0,"pose":)" +
-                      pose(1, 0) + R"(,"scale":{"x":1,"y":1,"z":1},"points":[)" + point(0, 0) + "," +
-                      point(1, 0) + "," + point(0, 1) + "]}]}")
-                   .msg,
-               kNow);
+    world.add({Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true},
+              byJson(R"({"markers":[{"id":1,"type":11,)" + header() + R"(,"ns":"a","action":0,"pose":)" +
+                     pose(1, 0) + R"(,"scale":{"x":1,"y":1,"z":1},"points":[)" + point(0, 0) + "," +
+                     point(1, 0) + "," + point(0, 1) + "]}]}")
+                  .msg,
+              kNow);
     QCOMPARE(world.seenObjects().drawings.size(), std::size_t(1));
     QCOMPARE(world.seenObjects().drawings[0].kind, Kind::Triangles);
     QVERIFY(isAt(world.seenObjects().drawings[0].points[1], 2, 0));

@@ -152,16 +152,16 @@ class RosMarkersTest : public QObject {
       return labels;
     };
     using Labels = std::vector<std::string>;
-    markers.take("/m",
-                 {marker("a", 1, Action::Add), marker("a", 2, Action::Add, 5), marker("b", 1, Action::Add)},
-                 100);
+    markers.apply("/m",
+                  {marker("a", 1, Action::Add), marker("a", 2, Action::Add, 5), marker("b", 1, Action::Add)},
+                  100);
     QCOMPARE(labelsAt(100), (Labels{"a 1", "a 2", "b 1"}));
-    markers.take(
+    markers.apply(
         "/m", {marker("a", 1, Action::Add), marker("b", 1, Action::Delete), marker("b", 9, Action::Delete)},
         101);
     QCOMPARE(labelsAt(104.9), (Labels{"a 1", "a 2"}));
     QCOMPARE(labelsAt(105), (Labels{"a 1"}));
-    markers.take("/m", {marker("", 0, Action::DeleteAll), marker("c", 1, Action::Add)}, 106);
+    markers.apply("/m", {marker("", 0, Action::DeleteAll), marker("c", 1, Action::Add)}, 106);
     QCOMPARE(labelsAt(106), (Labels{"c 1"}));
     // As they are written.
     const auto read = markersOf(

@@ -368,7 +368,7 @@ class RosMessagesTest : public QObject {
     QVERIFY(rows[0].transform.q.z() == 1 && rows[0].transform.q.w() == 0);
     Transforms transforms;
     const TfRow& broken = rows[1];
-    QCOMPARE(transforms.take(broken.parent, broken.child, broken.transform, 1, false),
+    QCOMPARE(transforms.setTransform(broken.parent, broken.child, broken.transform, 1, false),
              Transforms::Taken::NoNumbers);
     QVERIFY(readTf(byJson(R"({"transforms":5})").msg).empty());
   }

@@ -75,7 +75,7 @@ const Source kMarkers{Stream::SeenObjects, Form::Markers, "/markers", {}, {}, tr
 
 WorldResults give(RosWorld& world, const Source& source, const QByteArray& text, double at_s = kNow) {
   const Sent sent = byJson(text);
-  return world.take(source, sent.msg, at_s);
+  return world.add(source, sent.msg, at_s);
 }
 
 /// The first message of that type among the results.

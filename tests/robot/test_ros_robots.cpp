@@ -145,7 +145,7 @@ class RosRobotsTest : public QObject {
           }
         }
       };
-      for (const Told& one : told) check(world.take(one.source, byJson(one.text).msg, kNow));
+      for (const Told& one : told) check(world.add(one.source, byJson(one.text).msg, kNow));
       check(world.overdue(kNow + 0.5));
       for (const auto& [topic, at] : hits) QVERIFY2(placed[topic] > 0, topic.c_str());
       QCOMPARE(world.seenObjects().objects.size(), cubes.size());
@@ -156,7 +156,7 @@ class RosRobotsTest : public QObject {
     RosWorld world;
     world.setRobots({"", "/r1"});
     const auto give = [&](const Source& source, const QByteArray& text) {
-      return world.take(source, byJson(text).msg, kNow);
+      return world.add(source, byJson(text).msg, kNow);
     };
     const Source root{Stream::Pose, Form::Tf, "/tf", {}, {}, true};
     give(root, tf("map", "odom", {1, 0, 0}));
@@ -173,10 +173,9 @@ class RosRobotsTest : public QObject {
     RosWorld world;
     world.setRobots({"", "/r1"});
     const Source root{Stream::Pose, Form::Tf, "/tf", {}, {}, true};
-    world.take(root, byJson(tf("map", "laser", {1, 0, 0})).msg, kNow);
-    world.take({Stream::Cloud, Form::LaserScan, "/r1/scan", {}, {}, true}, byJson(scan("laser", 1)).msg,
-               kNow);
-    const auto results = world.take(root, byJson(tf("map", "laser", {1, 0, 0})).msg, kNow + 1.5);
+    world.add(root, byJson(tf("map", "laser", {1, 0, 0})).msg, kNow);
+    world.add({Stream::Cloud, Form::LaserScan, "/r1/scan", {}, {}, true}, byJson(scan("laser", 1)).msg, kNow);
+    const auto results = world.add(root, byJson(tf("map", "laser", {1, 0, 0})).msg, kNow + 1.5);
     QVERIFY(std::any_of(results.begin(), results.end(), [](const WorldResult& result) {
       return result.topic == "/r1/scan" && result.message.has_value();
     }));
@@ -190,7 +189,7 @@ class RosRobotsTest : public QObject {
       world.setRobots(robotsIn(sourcesOf(found, ns), ns));
       for (const Source& source : sourcesOf(found, ns)) {
         const double x_m = source.topic == "/r1/tf" ? 1 : source.topic == "/r2/tf" ? 2 : 9;
-        world.take(source, byJson(tf("map", "base_link", {x_m, 0, 0})).msg, kNow);
+        world.add(source, byJson(tf("map", "base_link", {x_m, 0, 0})).msg, kNow);
       }
       QVERIFY(world.pose() && *world.pose());
       QCOMPARE((*world.pose())->x_m, ns[2] - '0');

@@ -32,7 +32,7 @@ Transform3 at(double x_m, double y_m = 0, double yaw_rad = 0) { return {{x_m, y_
 /// A pair that is only ever moved along x.
 Taken move(Transforms& transforms, const std::string& parent, const std::string& child, double x_m,
            double stamp_s) {
-  return transforms.take(parent, child, at(x_m), stamp_s, false);
+  return transforms.setTransform(parent, child, at(x_m), stamp_s, false);
 }
 
 bool isAbout(const tl::expected<Transform3, Missing>& found, double x_m, double y_m, double yaw_rad) {
@@ -50,8 +50,8 @@ class RosTransformsTest : public QObject {
  private Q_SLOTS:
   void betweenTwoStampsItIsInterpolated() {
     Transforms transforms;
-    transforms.take("odom", "base", at(1, 10, 0), 100, false);
-    transforms.take("odom", "base", at(3, 20, kPi / 2), 102, false);
+    transforms.setTransform("odom", "base", at(1, 10, 0), 100, false);
+    transforms.setTransform("odom", "base", at(3, 20, kPi / 2), 102, false);
     QVERIFY(isAbout(transforms.find("odom", "base", 100.5), 1.5, 12.5, kPi / 8));
     QVERIFY(isAbout(transforms.find("odom", "base", 100.0), 1, 10, 0));
     QVERIFY(isAbout(transforms.find("odom", "base", 102.0), 3, 20, kPi / 2));
@@ -61,16 +61,16 @@ class RosTransformsTest : public QObject {
     Transforms transforms;
     Transform3 second = at(0, 0, radians(-170));
     second.q.coeffs() *= -1;  // the same turn, written the other way
-    transforms.take("odom", "base", at(0, 0, radians(170)), 1, false);
-    transforms.take("odom", "base", second, 2, false);
+    transforms.setTransform("odom", "base", at(0, 0, radians(170)), 1, false);
+    transforms.setTransform("odom", "base", second, 2, false);
     QVERIFY(isAbout(transforms.find("odom", "base", 1.5), 0, 0, kPi));
   }
 
   void beforeTheFirstAndAfterTheLastStampNothingIsKnown() {
     Transforms transforms;
     move(transforms, "map", "odom", 5, 100);
-    transforms.take("odom", "base", at(1), 99, false);
-    transforms.take("odom", "base", at(2), 101, false);
+    transforms.setTransform("odom", "base", at(1), 99, false);
+    transforms.setTransform("odom", "base", at(2), 101, false);
     const auto old = transforms.find("map", "base", 98.9), late = transforms.find("map", "base", 101.5);
     QVERIFY(!old && !late);
     QVERIFY(old.error() == (Missing{Kind::TooOld, "odom", "base"}));
@@ -82,20 +82,20 @@ class RosTransformsTest : public QObject {
 
   void aStaticPairCountsAtAllTimes() {
     Transforms transforms;
-    QCOMPARE(transforms.take("base", "laser", at(0.5), std::nan(""), true), Taken::Kept);
+    QCOMPARE(transforms.setTransform("base", "laser", at(0.5), std::nan(""), true), Taken::Kept);
     for (const std::optional<double> when : {std::optional(0.0), std::optional(1e9), std::optional<double>()})
       QVERIFY(isAbout(transforms.find("base", "laser", when), 0.5, 0, 0));
-    transforms.take("base", "laser", at(0.7), 3, true);
+    transforms.setTransform("base", "laser", at(0.7), 3, true);
     QVERIFY(isAbout(transforms.find("base", "laser", 1), 0.7, 0, 0));
     QCOMPARE(transforms.latestCommon("base", "laser").value(), std::nullopt);
   }
 
   void framesAreFoundThroughWhatIsAboveBoth() {
     Transforms transforms;
-    transforms.take("map", "odom", at(10, 0, kPi / 2), 50, false);
-    transforms.take("odom", "base", at(2, 0, 0), 50, false);
-    transforms.take("base", "laser", at(0.5, 0, kPi), 0, true);
-    transforms.take("base", "camera", at(0, 1, 0), 0, true);
+    transforms.setTransform("map", "odom", at(10, 0, kPi / 2), 50, false);
+    transforms.setTransform("odom", "base", at(2, 0, 0), 50, false);
+    transforms.setTransform("base", "laser", at(0.5, 0, kPi), 0, true);
+    transforms.setTransform("base", "camera", at(0, 1, 0), 0, true);
     QVERIFY(isAbout(transforms.find("map", "laser", {}), 10, 2.5, -kPi / 2));
     QVERIFY(isAbout(transforms.find("laser", "camera", {}), 0.5, -1, -kPi));
     QVERIFY(isAbout(transforms.find("camera", "laser", 50), 0.5, -1, kPi));
@@ -168,7 +168,7 @@ class RosTransformsTest : public QObject {
     QVERIFY(isAbout(transforms.find("map", "base", {}), 7, 0, 0));
     QVERIFY(transforms.find("map", "base", 10).error().kind == Kind::TooOld);
     // Static ones as well, and back.
-    transforms.take("map", "base", at(9), 0, true);
+    transforms.setTransform("map", "base", at(9), 0, true);
     QVERIFY(isAbout(transforms.find("map", "base", 1), 9, 0, 0));
     move(transforms, "map", "base", 3, 20);
     QVERIFY(transforms.find("map", "base", 1).error().kind == Kind::TooOld);
@@ -197,7 +197,7 @@ class RosTransformsTest : public QObject {
     QCOMPARE(transforms.roots(), std::vector<std::string>{"odom"});
     QVERIFY(isAbout(transforms.find("odom", "base", 21), -1, 0, 0));
     // A static one stays.
-    transforms.take("base", "laser", at(0), 0, true);
+    transforms.setTransform("base", "laser", at(0), 0, true);
     QCOMPARE(move(transforms, "laser", "base", 0, 1'000), Taken::Loop);
   }
 
@@ -231,8 +231,8 @@ class RosTransformsTest : public QObject {
     zero.q = Eigen::Quaterniond(0, 0, 0, 0);
     odd.q = Eigen::Quaterniond(nan, 0, 0, 1);
     for (const Transform3& none : {zero, odd, far})
-      QCOMPARE(transforms.take("map", "odom", none, 1, false), Taken::NoNumbers);
-    QCOMPARE(transforms.take("map", "odom", at(1), nan, false), Taken::NoNumbers);
+      QCOMPARE(transforms.setTransform("map", "odom", none, 1, false), Taken::NoNumbers);
+    QCOMPARE(transforms.setTransform("map", "odom", at(1), nan, false), Taken::NoNumbers);
     QCOMPARE(transforms.refused(), std::size_t(4));
     QVERIFY(transforms.frames().empty());
   }
@@ -241,7 +241,7 @@ class RosTransformsTest : public QObject {
     Transforms transforms;
     Transform3 longer = at(1, 0, 1);
     longer.q.coeffs() *= 3;
-    transforms.take("map", "odom", longer, 1, false);
+    transforms.setTransform("map", "odom", longer, 1, false);
     QVERIFY(isAbout(transforms.find("map", "odom", {}), 1, 0, 1));
     QVERIFY(std::abs(transforms.find("map", "odom", {})->q.norm() - 1) < 1e-12);
   }

@@ -125,7 +125,7 @@ void BlockPlacing::readBefore(std::int64_t from_ns) {
   const auto cursor = parts_.file.messages(query);
   while (const auto message = cursor->next()) {
     before(saidNs(*message));
-    if (const auto frame = parts_.fields.read(*message)) take(*message, *frame);
+    if (const auto frame = parts_.fields.read(*message)) add(*message, *frame);
   }
   before(from_ns - 1);
 }
@@ -136,7 +136,7 @@ void BlockPlacing::advance(std::int64_t until_ns) {
       const double at_s = secondsOf(saidNs(*lead_));
       ahead_.forgetSilent(at_s);
       for (const ros::Source& source : parts_.shape.by_topic.at(lead_->channel->topic))
-        ahead_.take(source, (*frame)->root(), at_s);
+        ahead_.add(source, (*frame)->root(), at_s);
     }
     lead_ = leading_->next();
   }
@@ -182,7 +182,7 @@ ros::WorldResult BlockPlacing::onGrid(const ros::Source& source, const ros::Fiel
     parts_.folds.set(source.topic, *grid, at_ns);
     folded_.insert(source.topic);
   }
-  return ahead_.take(source, *grid, secondsOf(at_ns));
+  return ahead_.add(source, *grid, secondsOf(at_ns));
 }
 
 ros::WorldResult BlockPlacing::applyMapPatch(const ros::Source& source, const ros::Field& msg,
@@ -209,13 +209,13 @@ ros::WorldResult BlockPlacing::applyMapPatch(const ros::Source& source, const ro
   of.topic = source.base;
   ros::Grid whole = *grid;
   whole.notes = patch->notes;
-  result = ahead_.take(of, whole, secondsOf(at_ns));
+  result = ahead_.add(of, whole, secondsOf(at_ns));
   result.topic = source.topic;
   result.recorded_s = patch->header.stamp_s;
   return result;
 }
 
-ros::WorldResults BlockPlacing::take(const recording::Message& message, const FramePtr& frame) {
+ros::WorldResults BlockPlacing::add(const recording::Message& message, const FramePtr& frame) {
   const std::int64_t at_ns = saidNs(message);
   if (at_ns != message.log_time_ns) part_begins_s_ = secondsOf(message.log_time_ns);
   advance(at_ns + kAheadNs);
@@ -228,7 +228,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
       case ros::Form::StaticTf:
       case ros::Form::Markers:
         any_markers_ |= source.form == ros::Form::Markers;
-        append(all, now_.take(source, frame->root(), secondsOf(at_ns)));
+        append(all, now_.add(source, frame->root(), secondsOf(at_ns)));
         break;
       case ros::Form::MapService:
         all.push_back(onGrid(source, frame->root()["map"], at_ns));
@@ -242,7 +242,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
       default:
         // Poses use the latest data, everything else its own stamp.
         ros::RosWorld& world = source.stream == map::Stream::Pose ? now_ : ahead_;
-        append(all, world.take(source, frame->root(), secondsOf(at_ns)));
+        append(all, world.add(source, frame->root(), secondsOf(at_ns)));
         break;
     }
     of_pose |= source.stream == map::Stream::Pose;

@@ -70,7 +70,7 @@ class BlockPlacing {
 
   /// The result for the message; call it for each message of the shape's topics, in order. `frame`: the
   /// parsed message. May include results of other topics (markers).
-  ros::WorldResults take(const recording::Message& message, const FramePtr& frame);
+  ros::WorldResults add(const recording::Message& message, const FramePtr& frame);
   /// The markers visible at the start of the block, and changes since then without a message: call it before
   /// each message and at the end of the range.
   ros::WorldResults before(std::int64_t at_ns);

@@ -295,10 +295,10 @@ Read<QByteArray> grid(const Field& message) {
   const std::size_t packed = std::size_t(*columns) * cell;
   const std::size_t rows = data->size() / row + (data->size() % row >= packed ? 1 : 0);
   if (rows > std::size_t(kMostCells / *columns)) return missing("row_stride");
-  const auto each = [&](auto&& take) {
+  const auto each = [&](auto&& visit) {
     for (std::size_t y = 0; y < rows; ++y) {
       const char* const begins = data->data() + y * row;
-      for (std::size_t x = 0; x < std::size_t(*columns); ++x) take(begins + x * cell);
+      for (std::size_t x = 0; x < std::size_t(*columns); ++x) visit(begins + x * cell);
     }
   };
   each([&](const char* record) { reader.look(record); });

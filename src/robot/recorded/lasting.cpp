@@ -490,17 +490,17 @@ struct Pair {
 };
 
 /// Around the stamp: the last one before it and the first one after it, of those said by then.
-template <typename Take>
+template <typename Visit>
 void around(const std::deque<Pair>& pairs, double stamp_s, std::int64_t from_ns, std::int64_t until_ns,
-            Take take) {
+            Visit visit) {
   const Pair *before = nullptr, *after = nullptr;
   for (const Pair& pair : pairs) {
     if (pair.said_ns < from_ns || pair.said_ns > until_ns) continue;
     if (pair.stamp_s <= stamp_s + kSameTimeS && (!before || pair.stamp_s >= before->stamp_s)) before = &pair;
     if (pair.stamp_s >= stamp_s - kSameTimeS && (!after || pair.stamp_s < after->stamp_s)) after = &pair;
   }
-  if (before) take(before->message);
-  if (after) take(after->message);
+  if (before) visit(before->message);
+  if (after) visit(after->message);
 }
 
 }  // namespace
@@ -525,7 +525,7 @@ void Lasting::addPlacing(std::vector<Stamped> needs, std::set<Place>& places) {
   const auto settle = [&](const Stamped& need) {
     std::set<Place>& by = placed_by_[need.place];
     const std::int64_t from_ns = need.at_ns - kHistoryNs, until_ns = need.at_ns + kLateNs;
-    const auto take = [&](std::size_t message) {
+    const auto addPlace = [&](std::size_t message) {
       if (message >= gone) by.insert(read[message - gone]);
     };
     std::vector<double> stamps_s;
@@ -548,7 +548,7 @@ void Lasting::addPlacing(std::vector<Stamped> needs, std::set<Place>& places) {
     std::sort(stamps_s.begin(), stamps_s.end());
     stamps_s.erase(std::unique(stamps_s.begin(), stamps_s.end()), stamps_s.end());
     for (const double stamp_s : stamps_s) {
-      for (const auto& [child, of] : pairs) around(of, stamp_s, from_ns, until_ns, take);
+      for (const auto& [child, of] : pairs) around(of, stamp_s, from_ns, until_ns, addPlace);
     }
     places.insert(by.begin(), by.end());
   };

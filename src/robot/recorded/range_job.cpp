@@ -89,11 +89,11 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
   }
   while (const auto message = cursor->next()) {
     if (placing) addResults(placing->before(saidNs(*message)), nullptr);
-    take(parts, *message, placing ? &*placing : nullptr);
+    onMessage(parts, *message, placing ? &*placing : nullptr);
     const bool too_long = bytes_ > std::size_t(std::max<std::int64_t>(range_.max_bytes, 0));
     if (too_long && range_.until_s - range_.from_s > kShortestS) return Step::TooLong;
     if (bytes_ > kMostAtAll) {
-      note({}, map::ProblemCode::Unreadable, {fault::AnswerTooLong, {std::int64_t(kMostAtAll)}});
+      addProblem({}, map::ProblemCode::Unreadable, {fault::AnswerTooLong, {std::int64_t(kMostAtAll)}});
       return Step::Done;
     }
   }
@@ -137,7 +137,7 @@ void RangeJob::finishLast(const Parts& parts) {
   // It is not part of the request: neither its length nor its errors count here.
   const std::size_t bytes = bytes_, unreadable = chunk_->unreadable;
   adding_last_ = true;
-  take(parts, message, placing ? &*placing : nullptr);
+  onMessage(parts, message, placing ? &*placing : nullptr);
   adding_last_ = false;
   bytes_ = bytes;
   chunk_->unreadable = unreadable;
@@ -186,11 +186,12 @@ void RangeJob::keepLastPose() {
 }
 
 void RangeJob::reportUndecoded(const std::string& topic, Fault reason) {
-  if (range_.whole_texts) return note(topic, map::ProblemCode::Unreadable, std::move(reason));
-  note(topic, map::ProblemCode::Odd, std::move(reason), map::Severity::Info);
+  if (range_.whole_texts) return addProblem(topic, map::ProblemCode::Unreadable, std::move(reason));
+  addProblem(topic, map::ProblemCode::Odd, std::move(reason), map::Severity::Info);
 }
 
-void RangeJob::note(const std::string& topic, map::ProblemCode code, Fault reason, map::Severity severity) {
+void RangeJob::addProblem(const std::string& topic, map::ProblemCode code, Fault reason,
+                          map::Severity severity) {
   if (problems_.size() >= kMostProblems) return;
   map::Problem problem{severity, map::Subject(map::SubjectKind::Topic, topic), std::move(reason), code};
   if (topic.empty()) problem.subject = subjectOf(key_);
@@ -203,8 +204,9 @@ void RangeJob::note(const std::string& topic, map::ProblemCode code, Fault reaso
 void RangeJob::addResults(ros::WorldResults results, BagMessage* told) {
   for (ros::WorldResult& result : results) {
     const bool within = takes(result.received_s);
-    if (within && result.unplaced) note(result.topic, map::ProblemCode::Unplaced, *result.unplaced);
-    if (within && !result.notes.empty()) note(result.topic, map::ProblemCode::Odd, result.notes.front());
+    if (within && result.unplaced) addProblem(result.topic, map::ProblemCode::Unplaced, *result.unplaced);
+    if (within && !result.notes.empty())
+      addProblem(result.topic, map::ProblemCode::Odd, result.notes.front());
     const bool own = told != nullptr && result.topic == told->message.topic && !told->known;
     if (result.unreadable && own) {
       told->known = true;
@@ -239,7 +241,7 @@ void RangeJob::onFrame(const Parts& parts, const wire::Json& root, const recordi
   }
 }
 
-void RangeJob::take(const Parts& parts, const recording::Message& message, BlockPlacing* placing) {
+void RangeJob::onMessage(const Parts& parts, const recording::Message& message, BlockPlacing* placing) {
   const recording::Channel& channel = *message.channel;
   const double stamp_s = recording::secondsOf(message.log_time_ns);
   BagMessage told;
@@ -259,7 +261,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
     const auto frame = read ? parts.fields.read(message) : tl::unexpected(Fault());
     text = texts.ofRos(frame, parts.fields);
     if (frame) {
-      if (placed) addResults(placing->take(message, *frame), &told);
+      if (placed) addResults(placing->add(message, *frame), &told);
     } else if (placed && frame.error().any()) {
       told.known = true;
       told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
@@ -286,8 +288,8 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       onFrame(parts, *root, message, told);
       text = texts.ofFrame(*root);
     } else {
-      note(channel.topic, map::ProblemCode::Unreadable,
-           {robot::axbot::fault::MessageNotJson, {std::int64_t(texts.bytes().size())}});
+      addProblem(channel.topic, map::ProblemCode::Unreadable,
+                 {robot::axbot::fault::MessageNotJson, {std::int64_t(texts.bytes().size())}});
       if (!range_.whole_texts) {
         ++chunk_->unreadable;
         return;

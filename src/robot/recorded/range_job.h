@@ -48,7 +48,7 @@ class RangeJob {
   bool takes(double stamp_s) const {
     return adding_last_ ? stamp_s < range_.from_s : stamp_s >= range_.from_s && stamp_s < range_.until_s;
   }
-  void take(const Parts& parts, const recording::Message& message, BlockPlacing* placing);
+  void onMessage(const Parts& parts, const recording::Message& message, BlockPlacing* placing);
   void onFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
                BagMessage& told);
   void add(BagMessage told, std::string_view text);
@@ -57,8 +57,8 @@ class RangeJob {
   void addResults(ros::WorldResults results, BagMessage* told);
   /// Only its bytes are there: for programs that is a loss, for people to be known.
   void reportUndecoded(const std::string& topic, Fault reason);
-  void note(const std::string& topic, map::ProblemCode code, Fault reason,
-            map::Severity severity = map::Severity::Warning);
+  void addProblem(const std::string& topic, map::ProblemCode code, Fault reason,
+                  map::Severity severity = map::Severity::Warning);
 
   BagKey key_;
   BagRange range_;

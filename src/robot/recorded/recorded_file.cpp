@@ -101,7 +101,7 @@ std::optional<map::Failure> RecordedFile::unavailableReason(const map::Subject& 
   return wire::unfit(subject, *trouble_);
 }
 
-void RecordedFile::tell(const map::Problem& problem) {
+void RecordedFile::reportOnce(const map::Problem& problem) {
   const std::string row =
       std::to_string(int(problem.subject.kind)) + problem.subject.id + '\n' + map::patternOf(problem);
   if (told_.insert(row).second) Q_EMIT problemFound(problem);
@@ -126,22 +126,23 @@ void RecordedFile::reportNotes() {
     const std::string shown = parts_->shape.robots.size() < 2        ? parts_->robots.front()
                               : parts_->shape.robots.front().empty() ? "/"
                                                                      : parts_->shape.robots.front();
-    tell({map::Severity::Info,
-          subjectOf(ownKey()),
-          {faultText("recorded",
-                     "It contains several robots: %1. Shown as the robot is %2. To see another one, add "
-                     "?ns=/NAMESPACE to the address of the file."),
-           {listOf(parts_->robots), shown}},
-          map::ProblemCode::Odd});
+    reportOnce(
+        {map::Severity::Info,
+         subjectOf(ownKey()),
+         {faultText("recorded",
+                    "It contains several robots: %1. Shown as the robot is %2. To see another one, add "
+                    "?ns=/NAMESPACE to the address of the file."),
+          {listOf(parts_->robots), shown}},
+         map::ProblemCode::Odd});
   }
   for (const recording::Note& note : parts_->file->summary().notes) {
     if (!reasonOf(note).any()) continue;
     const auto severity = isLoss(note.code) ? map::Severity::Warning : map::Severity::Info;
     const auto code = isLoss(note.code) ? map::ProblemCode::Unreadable : map::ProblemCode::Odd;
-    tell({severity, subjectOf(ownKey()), reasonOf(note), code});
+    reportOnce({severity, subjectOf(ownKey()), reasonOf(note), code});
   }
   for (const BagAway& away : awayIn(*parts_->file))
-    tell({map::Severity::Info, subjectOf(ownKey()), reasonOf(away), map::ProblemCode::Odd});
+    reportOnce({map::Severity::Info, subjectOf(ownKey()), reasonOf(away), map::ProblemCode::Odd});
 }
 
 void RecordedFile::reportInterruption() {
@@ -386,7 +387,7 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
   }
   const RangeJob::Step step = job->range.step(
       {{*parts_->file, parts_->fields, parts_->shape, parts_->lasting, parts_->folds}, parts_->kept});
-  for (const map::Problem& problem : job->range.releaseProblems()) tell(problem);
+  for (const map::Problem& problem : job->range.releaseProblems()) reportOnce(problem);
   switch (step) {
     case RangeJob::Step::More:
       QMetaObject::invokeMethod(

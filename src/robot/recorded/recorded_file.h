@@ -90,7 +90,7 @@ class RecordedFile : public QObject {
   void reportInterruption();
   /// Messages without a valid time that no chunk has counted yet: they are in no range.
   std::size_t newlyUntimed();
-  void tell(const map::Problem& problem);
+  void reportOnce(const map::Problem& problem);
   RecordingFacts facts() const;
   /// The number of messages of each topic, and how they are stored.
   void notifyContent(BagInfo& info, const recording::Summary& summary);

@@ -118,7 +118,7 @@ ros::RosWorld firstTransforms(recording::Source& file, MessageFields& fields, co
     const auto frame = fields.read(*message);
     if (!frame) continue;
     for (const ros::Source& source : shape.by_topic.at(message->channel->topic))
-      world.take(source, (*frame)->root(), recording::secondsOf(message->log_time_ns));
+      world.add(source, (*frame)->root(), recording::secondsOf(message->log_time_ns));
   }
   return world;
 }

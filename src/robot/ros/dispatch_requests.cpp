@@ -69,7 +69,7 @@ DispatchRequests::DispatchRequests(net::rosbridge::Client& client, DispatchSetti
       timeouts_(timeouts),
       map_frame_(std::move(map_frame)) {}
 
-void DispatchRequests::take(Dispatcher found) {
+void DispatchRequests::setDispatcher(Dispatcher found) {
   for (auto& [service, there] : found.services) {
     const bool tried = there.type.empty() && not_there_.contains(there.name);
     if (const auto next = tried ? nextToTry(service) : std::nullopt) there = *next;

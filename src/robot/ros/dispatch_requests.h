@@ -39,7 +39,7 @@ class DispatchRequests : public QObject {
                    std::function<std::string()> map_frame);
 
   /// The dispatcher that was found.
-  void take(Dispatcher found);
+  void setDispatcher(Dispatcher found);
   /// The connection is lost: what waits for topics waits no more.
   void lose() { waits_.drop(); }
   /// Another connection: perhaps another robot.

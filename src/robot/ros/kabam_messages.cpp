@@ -188,7 +188,7 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
   StoredWaypoints stored;
   std::set<std::string> ids;
   std::int64_t nameless = 0, placeless = 0;
-  const auto note = [&](FaultCode code, std::vector<FaultArgument> arguments) {
+  const auto addNote = [&](FaultCode code, std::vector<FaultArgument> arguments) {
     if (int(stored.notes.size()) < kMostNotes) stored.notes.push_back({code, std::move(arguments)});
   };
   rows.each([&](const Field& row) {
@@ -198,26 +198,26 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     auto read = waypointOf(row);
     map::Waypoint* const point = read ? &read->point : nullptr;
     if (read && read->zero_turn)
-      note(fault::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name});
+      addNote(fault::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name});
     if (!point) {
       ++placeless;
     } else if (point->id.empty()) {
       ++nameless;
     } else if (!frame.empty() && !fixed_frame.empty() && frame != fixed_frame) {
-      note(faultText("ros", "Waypoint \"%1\" is in the frame %2 instead of %3. It was left out."),
-           {point->name.empty() ? point->id : point->name, frame, fixed_frame});
+      addNote(faultText("ros", "Waypoint \"%1\" is in the frame %2 instead of %3. It was left out."),
+              {point->name.empty() ? point->id : point->name, frame, fixed_frame});
     } else if (!ids.insert(point->id).second) {
-      note(robot::wire::fault::WaypointIdTwice, {point->id});
+      addNote(robot::wire::fault::WaypointIdTwice, {point->id});
     } else {
       // Without a map its frame is unknown: this is the usual name.
       if (!frame.empty() && fixed_frame.empty() && frame != "map")
-        note(fault::WaypointFrameUnknown, {point->name.empty() ? point->id : point->name, frame});
+        addNote(fault::WaypointFrameUnknown, {point->name.empty() ? point->id : point->name, frame});
       if (read->zero_turn) stored.zero_turns.insert(point->id);
       stored.points.push_back(std::move(*point));
     }
   });
-  if (nameless > 0) note(robot::wire::fault::RowsWithoutId, {nameless});
-  if (placeless > 0) note(robot::wire::fault::PointsUnplaced, {placeless});
+  if (nameless > 0) addNote(robot::wire::fault::RowsWithoutId, {nameless});
+  if (placeless > 0) addNote(robot::wire::fault::PointsUnplaced, {placeless});
   stored.revision = revisionOf(stored.points);
   return stored;
 }

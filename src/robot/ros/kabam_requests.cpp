@@ -138,7 +138,7 @@ bool KabamRequests::setPlace(const std::optional<std::string>& place) {
   return std::exchange(there_, place.has_value()) != there_;
 }
 
-void KabamRequests::tell(const KabamState::Update& update) {
+void KabamRequests::emitChanges(const KabamState::Update& update) {
   if (update.maps) {
     Q_EMIT stands(QString::fromStdString(state_.managerState()));
     Q_EMIT mapsChanged();

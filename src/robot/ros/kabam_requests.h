@@ -44,7 +44,7 @@ class KabamRequests : public QObject {
   bool setPlace(const std::optional<std::string>& place);
   bool there() const { return there_; }
   /// Tells what has changed in the state; what waits for it is looked at.
-  void tell(const KabamState::Update& update);
+  void emitChanges(const KabamState::Update& update);
 
   void list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void describe(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply,

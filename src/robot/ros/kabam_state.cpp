@@ -24,9 +24,9 @@ std::vector<std::string> KabamState::topics() const {
   return {place_ + kCurrent, place_ + kActive, place_ + kArchived, place_ + kWaypoints};
 }
 
-KabamState::Update KabamState::take(const std::string& topic,
-                                    const std::shared_ptr<const net::rosbridge::Frame>& frame,
-                                    const Field& msg) {
+KabamState::Update KabamState::apply(const std::string& topic,
+                                     const std::shared_ptr<const net::rosbridge::Frame>& frame,
+                                     const Field& msg) {
   Update update;
   if (!topic.starts_with(place_)) return update;
   const std::string name = topic.substr(place_.size());

@@ -26,8 +26,8 @@ class KabamState {
     bool maps = false;     // the list of maps, or the current one, has changed
     bool waypoints = false;
   };
-  Update take(const std::string& topic, const std::shared_ptr<const net::rosbridge::Frame>& frame,
-              const Field& msg);
+  Update apply(const std::string& topic, const std::shared_ptr<const net::rosbridge::Frame>& frame,
+               const Field& msg);
   void forget();
 
   /// Both lists and the current map have arrived.

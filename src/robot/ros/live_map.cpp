@@ -34,7 +34,7 @@ Fault unavailableReason(const CallAnswer& answer) {
 
 }  // namespace
 
-void LiveMap::take(const map::GridMessage& grid) {
+void LiveMap::onGrid(const map::GridMessage& grid) {
   last_ = grid;
   waits_.look();
   Q_EMIT came();
@@ -97,11 +97,12 @@ void MapFromService::ask() {
   request.large = true;
   call_ = client_.call(std::move(request),
                        [self = QPointer<MapFromService>(this), service](const CallAnswer& answer) {
-                         if (self && answer.kind != CallAnswer::Kind::Cancelled) self->take(service, answer);
+                         if (self && answer.kind != CallAnswer::Kind::Cancelled)
+                           self->onAnswer(service, answer);
                        });
 }
 
-void MapFromService::take(const std::string& service, const CallAnswer& answer) {
+void MapFromService::onAnswer(const std::string& service, const CallAnswer& answer) {
   call_.reset();
   if (!wanted_ || had_) return;
   if (answer.kind == CallAnswer::Kind::Answered && answer.values["map"].isObject()) {

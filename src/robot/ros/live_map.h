@@ -25,7 +25,7 @@ class LiveMap : public QObject {
  public:
   explicit LiveMap(std::chrono::milliseconds timeout) : timeout_(timeout) {}
 
-  void take(const map::GridMessage& grid);
+  void onGrid(const map::GridMessage& grid);
   /// The received map is no longer the robot's current one.
   void forget() { last_.reset(); }
   const std::optional<map::GridMessage>& last() const { return last_; }
@@ -84,7 +84,7 @@ class MapFromService : public QObject {
 
  private:
   void ask();
-  void take(const std::string& service, const net::rosbridge::CallAnswer& answer);
+  void onAnswer(const std::string& service, const net::rosbridge::CallAnswer& answer);
   void stop();
 
   net::rosbridge::Client& client_;

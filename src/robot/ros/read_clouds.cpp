@@ -41,15 +41,15 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
   // More would not fit into the data; products of two of them do not overflow.
   const auto most = std::int64_t(most_bytes);
   CloudLayout layout;
-  const auto take = [&](const char* name, std::size_t& to) -> std::optional<Fault> {
+  const auto readSize = [&](const char* name, std::size_t& to) -> std::optional<Fault> {
     const auto value = msg[name].integer();
     if (!value) return fieldMissing(name).value();
     if (*value < 0 || *value > most) return fieldWrong(name, double(*value)).value();
     to = std::size_t(*value);
     return std::nullopt;
   };
-  for (const auto& why :
-       {take("width", layout.width), take("height", layout.height), take("point_step", layout.point_step)}) {
+  for (const auto& why : {readSize("width", layout.width), readSize("height", layout.height),
+                          readSize("point_step", layout.point_step)}) {
     if (why) return tl::unexpected(*why);
   }
   // Without points the layout does not matter: many senders omit it then.

@@ -416,7 +416,7 @@ std::string plainType(std::string_view type) {
 Read<std::vector<Marker>> readMarkers(const Field& msg) {
   std::vector<Marker> markers;
   std::size_t points = 0;
-  const auto take = [&](const Field& field) {
+  const auto addMarker = [&](const Field& field) {
     if (markers.size() >= kMostMarkers) return;
     auto marker = markerOf(field, std::min(kMostMarkerPoints, kMostPointsOfAll - points));
     if (!marker) return;
@@ -425,9 +425,9 @@ Read<std::vector<Marker>> readMarkers(const Field& msg) {
   };
   const Field list = msg["markers"];
   if (list.isList()) {
-    list.each(take);
+    list.each(addMarker);
   } else if (msg["type"].isNumber()) {
-    take(msg);
+    addMarker(msg);
   } else {
     return fieldMissing("markers");
   }

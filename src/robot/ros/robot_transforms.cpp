@@ -100,20 +100,20 @@ void RobotTransforms::lend(Tree& tree, const std::string& robot, const std::stri
     return;
   }
   if (!isLent(tree, robot, parent, child)) return;
-  if (tree.transforms.take(parent, child, transform, stamp_s, is_static) == Transforms::Taken::Kept)
+  if (tree.transforms.setTransform(parent, child, transform, stamp_s, is_static) == Transforms::Taken::Kept)
     tree.lent.insert_or_assign(child, Lent{parent, is_static});
 }
 
-Transforms::Taken RobotTransforms::take(const std::string& topic, const std::string& parent,
-                                        const std::string& child, const Transform3& transform, double stamp_s,
-                                        bool is_static) {
+Transforms::Taken RobotTransforms::setTransform(const std::string& topic, const std::string& parent,
+                                                const std::string& child, const Transform3& transform,
+                                                double stamp_s, bool is_static) {
   using Taken = Transforms::Taken;
   const std::string robot = namespaceAmong(namespaces_, topic);
   Tree& tree = treeOf(robot);
-  if (namespaces_.empty()) return tree.transforms.take(parent, child, transform, stamp_s, is_static);
+  if (namespaces_.empty()) return tree.transforms.setTransform(parent, child, transform, stamp_s, is_static);
   const std::string above = frameName(parent), below = frameName(child);
   if (robot.empty()) {
-    const Taken taken = tree.transforms.take(above, below, transform, stamp_s, is_static);
+    const Taken taken = tree.transforms.setTransform(above, below, transform, stamp_s, is_static);
     if (taken == Taken::Kept) tree.lent.insert_or_assign(below, Lent{above, is_static});
     for (const std::string& other : namespaces_) {
       if (!other.empty()) lend(treeOf(other), other, above, below, transform, stamp_s, is_static);
@@ -121,10 +121,10 @@ Transforms::Taken RobotTransforms::take(const std::string& topic, const std::str
     return taken;
   }
   addOwn(tree, robot, above, below, is_static);
-  Taken taken = tree.transforms.take(above, below, transform, stamp_s, is_static);
+  Taken taken = tree.transforms.setTransform(above, below, transform, stamp_s, is_static);
   if (taken == Taken::Loop && !tree.lent.empty()) {
     for (const auto& [frame, of] : std::exchange(tree.lent, {})) tree.transforms.drop(frame);
-    taken = tree.transforms.take(above, below, transform, stamp_s, is_static);
+    taken = tree.transforms.setTransform(above, below, transform, stamp_s, is_static);
   }
   if (taken == Taken::Kept) tree.own.insert(below);
   return taken;

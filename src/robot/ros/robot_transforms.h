@@ -32,8 +32,9 @@ class RobotTransforms {
   const std::vector<std::string>& namespaces() const { return namespaces_; }  // empty: one robot
 
   /// A transform that arrived on `topic`.
-  Transforms::Taken take(const std::string& topic, const std::string& parent, const std::string& child,
-                         const Transform3& transform, double stamp_s, bool is_static);
+  Transforms::Taken setTransform(const std::string& topic, const std::string& parent,
+                                 const std::string& child, const Transform3& transform, double stamp_s,
+                                 bool is_static);
   /// What `robot` ("": the root) told of the frame is not known any more.
   void drop(const std::string& robot, const std::string& child);
   /// Transforms::find() for a message of `topic`.

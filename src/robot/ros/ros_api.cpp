@@ -266,14 +266,14 @@ void RosApi::look(const std::string& ns, const DispatchSettings& dispatch,
 }
 
 void RosApi::askType(const LookPtr& look, const char* kind, const std::string& name,
-                     std::function<void(const std::string& type)> take) {
-  if (const auto known = types_.find({kind, name}); known != types_.end()) return take(known->second);
+                     std::function<void(const std::string& type)> then) {
+  if (const auto known = types_.find({kind, name}); known != types_.end()) return then(known->second);
   ++look->waits_for;
   ask((std::string("/rosapi/") + kind + "_type").c_str(), withText(kind, name),
-      [this, look, kind, name, take = std::move(take)](const CallAnswer& answer) {
+      [this, look, kind, name, then = std::move(then)](const CallAnswer& answer) {
         const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
         if (!type.empty()) types_[{kind, name}] = type;
-        take(type);
+        then(type);
         step(look);
       });
 }

@@ -81,7 +81,7 @@ class RosApi : public QObject {
   void ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply);
   /// The type of a "topic" or "service", which may be known from before.
   void askType(const LookPtr& look, const char* kind, const std::string& name,
-               std::function<void(const std::string& type)> take);
+               std::function<void(const std::string& type)> then);
   void askTypes(const LookPtr& look);
   void askWhoSends(const LookPtr& look, const Endpoint& topic);
   void askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchSettings& dispatch);

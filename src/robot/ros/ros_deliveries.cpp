@@ -94,7 +94,7 @@ void RosDeliveries::deliverDefinition(const std::string& type,
   place_.pass(std::move(parcel));
 }
 
-void RosDeliveries::take(const TopicMessage& message) {
+void RosDeliveries::onMessage(const TopicMessage& message) {
   std::string type = typeOf(graph_, message.topic);
   if (type.empty()) {
     // Asked for by its usual name.

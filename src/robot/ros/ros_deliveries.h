@@ -25,7 +25,7 @@ class RosDeliveries {
 
   void beginAnew();  // another connection
   void pause();      // there is none: nobody can be asked
-  void take(const net::rosbridge::TopicMessage& message);
+  void onMessage(const net::rosbridge::TopicMessage& message);
   /// The map that a service gave.
   void onMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
   /// Whoever sits there now gets the definitions of all types that were delivered: they are asked for one

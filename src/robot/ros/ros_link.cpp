@@ -100,7 +100,7 @@ void RosLink::listen() {
   using net::rosbridge::Client;
   connect(client_.get(), &Client::changed, this, &RosLink::onLink);
   connect(client_.get(), &Client::opened, this, &RosLink::begin);
-  connect(client_.get(), &Client::received, this, &RosLink::take);
+  connect(client_.get(), &Client::received, this, &RosLink::onReceived);
   connect(client_.get(), &Client::frameReceived, this,
           [this](std::string_view bytes, bool binary, double received_s) {
             places_->tap.pass({bytes, binary, received_s});
@@ -133,7 +133,7 @@ void RosLink::listen() {
   });
   connect(&map_service_, &MapFromService::came, this, &RosLink::onAskedMap);
   connect(&map_service_, &MapFromService::failed, this, [this](const std::string& service, const Fault& why) {
-    note(service, map::ProblemCode::Unavailable, Fault(fault::MapServiceFailed, {service}, {why}));
+    updateTrouble(service, map::ProblemCode::Unavailable, Fault(fault::MapServiceFailed, {service}, {why}));
   });
   // Whoever gives the map by region is not asked for all of it.
   connect(&dispatch_, &DispatchRequests::offersChanged, this, &RosLink::sync);
@@ -144,7 +144,7 @@ void RosLink::listen() {
   connect(&overdue_timer_, &QTimer::timeout, this, [this] {
     WorldResults results = world_.overdue(wall());
     reportUnplacedMarkers();
-    for (WorldResult& result : results) tell(std::move(result));
+    for (WorldResult& result : results) emitResult(std::move(result));
     notifyReception();
   });
 }
@@ -326,7 +326,7 @@ void RosLink::onLook(RosGraph found, std::optional<std::string> manager) {
   if (!manager && options_.kabam_only && !was_known_) return awaitManager();
   awaits_manager_ = false;
   graph_ = std::move(found);
-  dispatch_.take(dispatcherIn(graph_.dispatch_services, sentTopics(graph_), options_.dispatch));
+  dispatch_.setDispatcher(dispatcherIn(graph_.dispatch_services, sentTopics(graph_), options_.dispatch));
   const bool other = kabam_.setPlace(manager);
   selection_.managers_own = manager ? kabam_.state().topics() : std::vector<std::string>();
   findSources();
@@ -421,23 +421,23 @@ void RosLink::sync() {
   map_service_.want(map_wanted, by_topic, std::move(services));
 }
 
-void RosLink::take(const TopicMessage& message) {
-  deliveries_.take(message);
+void RosLink::onReceived(const TopicMessage& message) {
+  deliveries_.onMessage(message);
   if (passesRaw(message.bytes)) Q_EMIT rawReceived(rawOf(message));
   const WantedTopic* const wanted = subscriptions_.heard(message.topic);
   if (!wanted) return;
   onManagerMessage(message);
   if (std::any_of(selection_.dispatchers_own.begin(), selection_.dispatchers_own.end(),
                   [&](const Endpoint& own) { return own.name == message.topic; }))
-    note(message.topic, map::ProblemCode::Unreadable, dispatch_.hear(message.topic, message.msg));
+    updateTrouble(message.topic, map::ProblemCode::Unreadable, dispatch_.hear(message.topic, message.msg));
   ++reception_.came;
   bool of_pose = false;
   const std::vector<Source> sources = wanted->sources;
   if (!sources.empty()) recordDelay(sources.front(), message);
   for (const Source& source : sources) {
-    WorldResults results = world_.take(source, message.msg, message.received_s);
+    WorldResults results = world_.add(source, message.msg, message.received_s);
     reportUnplacedMarkers();
-    for (WorldResult& result : results) tell(std::move(result));
+    for (WorldResult& result : results) emitResult(std::move(result));
     of_pose |= source.stream == map::Stream::Pose;
     if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) map_service_.heard();
   }
@@ -490,47 +490,49 @@ void RosLink::onAskedMap(const std::string& service, const net::rosbridge::CallA
   } else if (!maps.empty()) {
     source.base = maps.front().topic;
   }
-  note(service, map::ProblemCode::Unavailable, std::nullopt);
+  updateTrouble(service, map::ProblemCode::Unavailable, std::nullopt);
   deliveries_.onMap(service, answer);
   // Patches, and whoever listens to the topic, take it for what that would have brought.
   if (!source.base.empty()) source.topic = source.base;
-  for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));
+  for (WorldResult& result : world_.add(source, answer.values["map"], wall())) emitResult(std::move(result));
   if (!source.base.empty()) subscriptions_.replacedBy(source.base, service);
 }
 
 void RosLink::onManagerMessage(const TopicMessage& message) {
   if (!kabam_.there()) return;
   KabamState& state = kabam_.state();
-  const KabamState::Update update = state.take(message.topic, message.frame, message.msg);
+  const KabamState::Update update = state.apply(message.topic, message.frame, message.msg);
   if (!update.own) return;
   const std::optional<Fault> odd =
       update.readable ? std::nullopt : std::optional<Fault>(fault::MessageNotUnderstood);
-  note(message.topic, map::ProblemCode::Unreadable, odd);
+  updateTrouble(message.topic, map::ProblemCode::Unreadable, odd);
   if (update.maps && state.current() && !state.current()->map.id.empty())
     emitTopic(state.topics().front(), state.mapInfo(), message.received_s, std::nullopt);
   if (update.maps) pictures_.sawMap();
-  kabam_.tell(update);
+  kabam_.emitChanges(update);
 }
 
-void RosLink::tell(WorldResult result) {
+void RosLink::emitResult(WorldResult result) {
   const std::string topic = result.topic;
-  if (result.message || result.unreadable) note(topic, map::ProblemCode::Unreadable, result.unreadable);
-  if (result.message || result.unplaced) note(topic, map::ProblemCode::Unplaced, result.unplaced);
+  if (result.message || result.unreadable)
+    updateTrouble(topic, map::ProblemCode::Unreadable, result.unreadable);
+  if (result.message || result.unplaced) updateTrouble(topic, map::ProblemCode::Unplaced, result.unplaced);
   std::optional<Fault> odd;
   if (!result.notes.empty()) odd = result.notes.front();
-  if (!result.unreadable) note(topic, map::ProblemCode::Odd, odd);
+  if (!result.unreadable) updateTrouble(topic, map::ProblemCode::Odd, odd);
   if (!result.message) return;
   const auto* const grid = std::get_if<map::GridMessage>(&*result.message);
   const bool whole = grid && grid->kind == map::GridKind::WholeMap;
   if (whole) {
-    live_map_.take(*grid);
+    live_map_.onGrid(*grid);
     if (live_map_.last()) dispatch_.sawMap(live_map_.last()->fingerprint);
     pictures_.sawMap();
   }
   emitTopic(topic, std::move(*result.message), result.received_s, result.recorded_s);
 }
 
-void RosLink::note(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason) {
+void RosLink::updateTrouble(const std::string& topic, map::ProblemCode code,
+                            const std::optional<Fault>& reason) {
   if (reason) {
     Trouble& trouble = troubles_[topic][code];
     const qint64 now = clock_.elapsed();
@@ -574,11 +576,11 @@ void RosLink::notifyPose() {
     if (!pose_missing_.isValid()) pose_missing_.start();
     if (pose_missing_.elapsed() < kPoseMissingMs) return;
     pose_missing_.start();
-    note(topic, map::ProblemCode::Unplaced, pose->error());
+    updateTrouble(topic, map::ProblemCode::Unplaced, pose->error());
     return;
   }
   pose_missing_.invalidate();
-  note(topic, map::ProblemCode::Unplaced, std::nullopt);
+  updateTrouble(topic, map::ProblemCode::Unplaced, std::nullopt);
   const bool again = !pose_told_.isValid() || pose_told_.elapsed() >= kPoseAnywayMs;
   if (last_pose_ == **pose && !again) return;
   last_pose_ = **pose;

@@ -116,11 +116,11 @@ class RosLink : public wire::RobotLink {
   void recordDelay(const Source& source, const net::rosbridge::TopicMessage& message);
   void sync();
   void publishState();
-  void take(const net::rosbridge::TopicMessage& message);
+  void onReceived(const net::rosbridge::TopicMessage& message);
   void onAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
   void onManagerMessage(const net::rosbridge::TopicMessage& message);
-  void tell(WorldResult result);
-  void note(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason);
+  void emitResult(WorldResult result);
+  void updateTrouble(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason);
   void forgetTrouble(const std::string& topic);
   void notifyPose();
   bool framesComplete() const;

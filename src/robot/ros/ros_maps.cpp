@@ -138,16 +138,16 @@ void RosMaps::describe(const wire::TaskPtr& task, const map::MapKey& key,
 
 void RosMaps::describeNow(const wire::TaskPtr& task, const map::MapKey& key,
                           OutcomeTo<map::CatalogueEntry> reply) {
-  const auto tell = [&](std::optional<map::CatalogueEntry> entry) {
+  const auto answer = [&](std::optional<map::CatalogueEntry> entry) {
     if (!entry) return reply(fail(wire::notThere(map::subjectOf(key))));
     reply(std::move(*entry));
   };
   if (isProjected(key)) {
     const auto projected = findProjected(key);
-    return tell(projected ? std::optional(entryOf(*projected)) : std::nullopt);
+    return answer(projected ? std::optional(entryOf(*projected)) : std::nullopt);
   }
-  if (key == kLive) return tell(liveEntry());
-  if (!of_.kabam.there()) return tell(std::nullopt);
+  if (key == kLive) return answer(liveEntry());
+  if (!of_.kabam.there()) return answer(std::nullopt);
   of_.kabam.describe(task, key, [this, reply](Outcome<map::CatalogueEntry> entry) {
     if (entry && entry->is_current && of_.live_map.last()) entry->grid = of_.live_map.last()->grid;
     reply(std::move(entry));

@@ -30,7 +30,7 @@ class AskingRos : public QObject {
         api_(client_, within * 2 / 3) {
     connect(&client_, &net::rosbridge::Client::opened, this, [this] {
       if (std::exchange(opened_, true)) return;
-      api_.look({}, {}, [this](RosGraph graph) { take(std::move(graph)); });
+      api_.look({}, {}, [this](RosGraph graph) { onGraph(std::move(graph)); });
     });
     connect(&client_, &net::rosbridge::Client::changed, this, [this] {
       const net::WebSocketLink& link = client_.link();
@@ -41,7 +41,7 @@ class AskingRos : public QObject {
   }
 
  private:
-  void take(RosGraph graph) {
+  void onGraph(RosGraph graph) {
     if (graph.topics || graph.services) return end({robotsIn(graph, server_), {}});
     const bool silent = graph.topics_silent && graph.services_silent;
     // Without rosapi nothing is listed; whether a map manager answers can be asked.

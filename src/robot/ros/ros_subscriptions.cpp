@@ -248,7 +248,7 @@ void RosSubscriptions::reportSilence(const std::string& topic) {
   // Checks again: another one of the same stream may have been reported meanwhile.
   if (mayBeSilent(topic, silent)) return;
   silent.told = true;
-  const auto tell = [self = QPointer<RosSubscriptions>(this), topic](FaultCode why) {
+  const auto report = [self = QPointer<RosSubscriptions>(this), topic](FaultCode why) {
     if (!self) return;
     const auto entry = self->topics_.find(topic);
     if (entry == self->topics_.end() || !entry->second.told || entry->second.replaced) return;
@@ -266,10 +266,10 @@ void RosSubscriptions::reportSilence(const std::string& topic) {
     Q_EMIT self->problemFound({serious ? map::Severity::Warning : map::Severity::Info, subjectOf(topic),
                                std::move(reason), map::ProblemCode::Unavailable});
   };
-  if (!graph_.topics) return tell(fault::TopicsNotTold);
-  if (!lists(graph_, topic)) return tell(fault::TopicNotListed);
-  api_.countPublishers(topic, [tell](std::optional<std::size_t> publishers) {
-    tell(publishers == std::size_t(0) ? fault::TopicNobodySends : fault::TopicListedOnly);
+  if (!graph_.topics) return report(fault::TopicsNotTold);
+  if (!lists(graph_, topic)) return report(fault::TopicNotListed);
+  api_.countPublishers(topic, [report](std::optional<std::size_t> publishers) {
+    report(publishers == std::size_t(0) ? fault::TopicNobodySends : fault::TopicListedOnly);
   });
 }
 

@@ -224,8 +224,8 @@ std::optional<RosWorld::Located> RosWorld::located() const {
 
 void RosWorld::onTransforms(const Source& source, const Field& msg, WorldResult& result) {
   for (const TfRow& row : readTf(msg)) {
-    const auto taken = transforms_.take(source.topic, row.parent, row.child, row.transform, row.stamp_s,
-                                        source.form == Form::StaticTf);
+    const auto taken = transforms_.setTransform(source.topic, row.parent, row.child, row.transform,
+                                                row.stamp_s, source.form == Form::StaticTf);
     if (!given_frame_.empty() && taken == Transforms::Taken::Kept) {
       const std::pair frame(namespaceAmong(transforms_.namespaces(), source.topic), frameName(row.child));
       if (source.form == Form::StaticTf) heard_s_.erase(frame);
@@ -273,7 +273,7 @@ void RosWorld::applyMapPatch(const Source& source, const Field& msg, WorldResult
 
 void RosWorld::addEarlier(const Source& source, const Field& msg, double received_s) {
   earlier_ = true;
-  (void)take(source, msg, received_s);
+  (void)add(source, msg, received_s);
   earlier_ = false;
 }
 
@@ -285,7 +285,7 @@ void RosWorld::forgetSilent(double now_s) {
   });
 }
 
-WorldResult RosWorld::take(const Source& source, const Grid& grid, double received_s) {
+WorldResult RosWorld::add(const Source& source, const Grid& grid, double received_s) {
   WorldResult result;
   result.topic = source.topic;
   result.received_s = received_s;
@@ -295,17 +295,17 @@ WorldResult RosWorld::take(const Source& source, const Grid& grid, double receiv
   return result;
 }
 
-WorldResults RosWorld::take(const Source& source, const Field& msg, double received_s) {
+WorldResults RosWorld::add(const Source& source, const Field& msg, double received_s) {
   WorldResult result;
   result.topic = source.topic;
   result.received_s = received_s;
-  // Passes readable messages to `take`, the rest is unreadable.
-  const auto with = [&](auto read, auto take) {
+  // Passes readable messages to `use`, the rest is unreadable.
+  const auto with = [&](auto read, auto use) {
     if (!read) {
       result.unreadable = std::move(read.error());
     } else {
       result.recorded_s = read->header.stamp_s;
-      take(std::move(*read));
+      use(std::move(*read));
     }
   };
   const auto taking = [&](auto content) { onContent(source, std::move(content), result); };
@@ -378,7 +378,7 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
         break;
       }
       result.notes = notShown(*markers);
-      markers_.take(source.topic, *markers, received_s);
+      markers_.apply(source.topic, *markers, received_s);
       lookAtMarkers(received_s, results);
       std::erase_if(results, [&](WorldResult& one) {
         if (one.topic != source.topic) return false;

@@ -65,13 +65,13 @@ class RosWorld {
   /// Grids of these topics are kept whole, for patches.
   void keepGrids(std::set<std::string> topics);
   /// A message of `source`. Transforms may place waiting messages: several results.
-  WorldResults take(const Source& source, const Field& msg, double received_s);
+  WorldResults add(const Source& source, const Field& msg, double received_s);
   /// For recordings: it was said before, and tells nothing now.
   void addEarlier(const Source& source, const Field& msg, double received_s);
   /// For recordings: moving frames of which nothing was heard for as long as transforms are kept are unknown.
   void forgetSilent(double now_s);
   /// A parsed grid.
-  WorldResult take(const Source& source, const Grid& grid, double received_s);
+  WorldResult add(const Source& source, const Grid& grid, double received_s);
   /// As of the last marker message, or of overdue().
   const map::SeenObjectsMessage& seenObjects() const { return markers_.seen(); }
   /// Markers that wait for their transforms, by topic.

@@ -42,7 +42,7 @@ void SeenMarkers::put(Row& row, const Marker& marker, double now_s) {
   }
 }
 
-void SeenMarkers::take(const std::string& topic, const std::vector<Marker>& markers, double now_s) {
+void SeenMarkers::apply(const std::string& topic, const std::vector<Marker>& markers, double now_s) {
   auto& rows = topics_[topic];
   for (const Marker& marker : markers) {
     const std::pair key(marker.ns, marker.id);
@@ -64,7 +64,7 @@ void SeenMarkers::take(const std::string& topic, const std::vector<Marker>& mark
 
 void SeenMarkers::settle(const std::string& topic, const std::vector<Marker>& markers,
                          const RobotTransforms& transforms, const std::string& fixed_frame, double now_s) {
-  take(topic, markers, now_s);
+  apply(topic, markers, now_s);
   auto& rows = topics_[topic];
   for (const Marker& marker : markers) {
     const auto row = rows.find({marker.ns, marker.id});

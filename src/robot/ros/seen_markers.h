@@ -26,7 +26,7 @@ class SeenMarkers {
 
   /// ADD adds a marker or replaces the one with the same namespace and number, DELETE removes it, DELETEALL
   /// all.
-  void take(const std::string& topic, const std::vector<Marker>& markers, double now_s);
+  void apply(const std::string& topic, const std::vector<Marker>& markers, double now_s);
   /// The same, and places what can be placed at once; the rest waits for look().
   void settle(const std::string& topic, const std::vector<Marker>& markers, const RobotTransforms& transforms,
               const std::string& fixed_frame, double now_s);

@@ -91,8 +91,8 @@ bool Transforms::isUsable(const std::string& parent, const std::string& child, c
   return normalised(transform) && !parent_name.empty() && !child_name.empty() && parent_name != child_name;
 }
 
-Transforms::Taken Transforms::take(const std::string& parent, const std::string& child,
-                                   const Transform3& transform, double stamp_s, bool is_static) {
+Transforms::Taken Transforms::setTransform(const std::string& parent, const std::string& child,
+                                           const Transform3& transform, double stamp_s, bool is_static) {
   const auto refuse = [this](Taken why) {
     ++refused_;
     return why;

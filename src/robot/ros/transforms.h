@@ -67,11 +67,11 @@ class Transforms {
     NoFrames,   // a name is empty, both are the same, or there are too many
     Loop,       // see loops()
   };
-  /// Whether take() can use it, but for loops: frames with names, a transform of numbers.
+  /// Whether setTransform() can use it, but for loops: frames with names, a transform of numbers.
   static bool isUsable(const std::string& parent, const std::string& child, const Transform3& transform);
   /// Quaternions are normalised. `stamp_s` of a static transform is ignored.
-  Taken take(const std::string& parent, const std::string& child, const Transform3& transform, double stamp_s,
-             bool is_static);
+  Taken setTransform(const std::string& parent, const std::string& child, const Transform3& transform,
+                     double stamp_s, bool is_static);
 
   /// The frame hangs below no other one any more.
   void drop(const std::string& child);
