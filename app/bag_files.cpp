@@ -156,7 +156,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   if (!writing) return fileFailure(writing.error());
   const auto read = bags.readRanges(excerpt::readsFrom(wanted), order->span.to_s,
                                     [&](const replay::Chunk& chunk) -> CommandResult<void> {
-                                      if (const auto fault = (*writing)->take(chunk))
+                                      if (const auto fault = (*writing)->add(chunk))
                                         return fileFailure(*fault);
                                       return {};
                                     });

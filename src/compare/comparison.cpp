@@ -163,7 +163,7 @@ tl::expected<Comparison, Fault> comparePictures(const std::string& expected, con
                          std::max(made.expected.height, made.actual.height)};
   made.canvas = both.pixels() <= kMostPixels ? both : made.actual;
   int left = both.width, right = -1, top = -1, bottom = -1;
-  const auto take = [&](int x, int y) {
+  const auto markDiffering = [&](int x, int y) {
     ++made.differing;
     if (x >= made.canvas.width || y >= made.canvas.height) return;
     if (made.differs.empty()) made.differs.resize(std::size_t(made.canvas.pixels()));
@@ -189,9 +189,9 @@ tl::expected<Comparison, Fault> comparePictures(const std::string& expected, con
       if (difference == 0) continue;
       const int masked = allows == nullptr ? 0 : grayOf(allows[x]);
       if (difference > masked) made.max = std::max(made.max, difference);
-      if (difference > std::max(allowed.tolerance, masked)) take(x, y);
+      if (difference > std::max(allowed.tolerance, masked)) markDiffering(x, y);
     }
-    for (int x = common; x < std::max(expected_width, actual_width); ++x) take(x, y);
+    for (int x = common; x < std::max(expected_width, actual_width); ++x) markDiffering(x, y);
   }
   for (PictureReading* const reading : {&*first, &*second}) {
     if (!reading->endsWell()) return tl::make_unexpected(reading->problem());

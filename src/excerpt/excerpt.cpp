@@ -24,7 +24,7 @@ class Lines : public Writing {
  public:
   explicit Lines(const Order& order) : order_(order), file_(order.path) {}
 
-  std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
+  std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
@@ -63,10 +63,10 @@ class Mcap : public Writing {
                             {"recorded_by", "mapwright " MAPWRIGHT_VERSION}};
     for (const char* unknown : {"model", "serial", "name", "firmware"}) about[unknown];
     if (span_.from_s) about["started_ns"] = std::to_string(nanosecondsOf(*span_.from_s));
-    return file_.writer().note({recorder::kAbout, std::move(about)});
+    return file_.writer().addMetadata({recorder::kAbout, std::move(about)});
   }
 
-  std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
+  std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
@@ -91,7 +91,7 @@ class Mcap : public Writing {
     recording::Metadata end{
         recorder::kEnd, {{"messages", std::to_string(done_.messages)}, {"lost", "0"}, {"lost_bytes", "0"}}};
     if (span_.to_s) end.values["ended_ns"] = std::to_string(nanosecondsOf(*span_.to_s));
-    if (!fault) fault = file_.writer().note(end);
+    if (!fault) fault = file_.writer().addMetadata(end);
     if (!fault) fault = file_.finish();
     if (fault) return tl::make_unexpected(std::move(*fault));
     return done_;
@@ -174,7 +174,7 @@ class Track : public Writing {
  public:
   explicit Track(const Order& order) : order_(order), file_(order.path) {}
 
-  std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
+  std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
     index_.add(replay::tickOf(chunk.from_s), replay::digestOf(chunk));
     // If the output cannot be written there is no point in reading on.

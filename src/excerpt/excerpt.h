@@ -59,7 +59,7 @@ class Writing {
  public:
   virtual ~Writing() = default;
   /// Ranges in order, from readsFrom() on.
-  virtual std::optional<disk::FileError> take(const replay::Chunk& chunk) = 0;
+  virtual std::optional<disk::FileError> add(const replay::Chunk& chunk) = 0;
   virtual tl::expected<Written, disk::FileError> place() = 0;
 };
 

@@ -91,7 +91,7 @@ void ExcerptJob::work(const replay::ChunkPtr& chunk) {
       if (!begun) fault = begun.error();
       if (begun) writing_ = std::move(*begun);
     }
-    if (!fault && chunk && !cancelled_) fault = writing_->take(*chunk);
+    if (!fault && chunk && !cancelled_) fault = writing_->add(*chunk);
     if (!fault && !chunk && !cancelled_) {
       auto placed = writing_->place();
       if (!placed) fault = placed.error();

@@ -99,7 +99,7 @@ class SaidBefore {
   }
 
   /// In order of time. False: it is known already.
-  bool take(std::size_t source, const recording::Message& message) {
+  bool isNew(std::size_t source, const recording::Message& message) {
     const int channel = numbers_.of(message.channel);
     bool known = false;
     for (const Time& time : timesOf(message)) {
@@ -161,7 +161,7 @@ class Merge {
       for (const recording::Metadata& metadata : sources_[of]->metadata()) {
         if (!whole && robot::recorded::isEndMark(metadata)) continue;
         if (!once.isNew(of, {metadata.name, metadata.values})) continue;
-        if (auto fault = file_.writer().note(metadata)) return fault;
+        if (auto fault = file_.writer().addMetadata(metadata)) return fault;
       }
     }
     return std::nullopt;
@@ -243,7 +243,7 @@ class Merge {
     for (std::size_t of = 0; of < heads.size(); ++of) {
       for (Head& head = heads[of]; isAt(head); head.message = head.cursor->next()) {
         const recording::Message& message = *head.message;
-        if (!before_.take(of, message)) continue;
+        if (!before_.isNew(of, message)) continue;
         if (shared &&
             !once.isNew(of, {numbers_.of(message.channel), wasSaidBefore(*message.channel),
                              message.publish_time_ns, digestOf(message.bytes.data(), message.bytes.size())}))

@@ -33,7 +33,7 @@ class Slice {
 
   Done describe() {
     for (const recording::Metadata& metadata : source_.metadata()) {
-      if (auto done = checked(file_.writer().note(metadata)); !done) return done;
+      if (auto done = checked(file_.writer().addMetadata(metadata)); !done) return done;
     }
     return {};
   }
@@ -100,8 +100,9 @@ class Slice {
     cut_short_ = robot::recorded::isInterrupted(source_) && to_ns >= last_ns;
     if (ended_ || !robot::recorded::isInterrupted(source_)) return {};
     if (cut_short_)
-      return repair ? checked(file_.writer().note(robot::recorded::repairMark(source_.summary()))) : Done();
-    return checked(file_.writer().note({recorder::kEnd, {{"ended_ns", std::to_string(to_ns)}}}));
+      return repair ? checked(file_.writer().addMetadata(robot::recorded::repairMark(source_.summary())))
+                    : Done();
+    return checked(file_.writer().addMetadata({recorder::kEnd, {{"ended_ns", std::to_string(to_ns)}}}));
   }
 
   Written done() const {

@@ -87,7 +87,7 @@ class Quantiser {
  public:
   explicit Quantiser(const PixelFormat& format) : format_(format), colours_(format) {}
 
-  void take(const std::uint8_t* row, Indices& out) {
+  void appendRow(const std::uint8_t* row, Indices& out) {
     const std::size_t unit = format_.pixelBytes();
     for (int u = 0; u < format_.width; ++u, row += unit)
       out.push_back(indexOf(visible(colours_.at(row)), out));
@@ -188,7 +188,7 @@ tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string>
         indices.push_back(std::uint8_t(colours.at(pixels)));
       }
     } else {
-      quantiser.take(pixels, indices);
+      quantiser.appendRow(pixels, indices);
     }
   }
   ColoredGrid grid;

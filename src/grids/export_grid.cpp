@@ -21,16 +21,16 @@ namespace {
 using Proceed = std::function<bool(double done)>;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
 
-/// Calls take(row) for every row of level 0. Returns why it ended early.
-template <typename Take>
+/// Calls visit(row) for every row of level 0. Returns why it ended early.
+template <typename Visit>
 std::optional<Fault> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
-                             Take take) {
+                             Visit visit) {
   GridRows rows(grid);
   for (int y = 0; y < grid.height(); ++y) {
     const bool begins_band = y % GridPyramid::kTileEdge == 0;
     if (begins_band && proceed && !proceed(from + (to - from) * y / grid.height()))
       return fault::WritingStopped;
-    if (!take(rows.row(y))) return std::nullopt;
+    if (!visit(rows.row(y))) return std::nullopt;
   }
   if (auto trouble = grid.trouble(); trouble.any())
     return std::move(trouble).followedBy(Consequence::NothingWritten);

@@ -26,7 +26,7 @@ const char* mediaTypeOf(std::string_view picture) {
 
 }  // namespace
 
-void SubmapRequests::take(const map::SubmapList& list, std::int64_t now_ns) {
+void SubmapRequests::onList(const map::SubmapList& list, std::int64_t now_ns) {
   if (which_ == Which::None) return;
   if (list.uuid != uuid_) {
     uuid_ = list.uuid;
@@ -120,7 +120,7 @@ void Fetches::onTopic(const map::StampedMessage& stamped) {
 }
 
 void Fetches::onList(const map::SubmapList& list) {
-  submaps_.take(list, now_ns_());
+  submaps_.onList(list, now_ns_());
   pump();
 }
 

@@ -36,7 +36,7 @@ class SubmapRequests {
 
   explicit SubmapRequests(Which which) : which_(which) {}
 
-  void take(const map::SubmapList& list, std::int64_t now_ns);
+  void onList(const map::SubmapList& list, std::int64_t now_ns);
   /// What to request now; it counts as requested until it is answered.
   std::vector<map::SubmapKey> next();
   void answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome, std::int64_t now_ns);

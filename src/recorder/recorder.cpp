@@ -88,8 +88,8 @@ Recorder::~Recorder() { finish(); }
 void Recorder::begin() {
   qCInfo(lcRecorder, "recording of %s begins", qUtf8Printable(robot_->address()));
   thread_ = std::thread([this] { run(); });
-  tell();
-  connect(robot_.data(), &robot::Robot::identityChanged, this, &Recorder::tell);
+  recordIdentity();
+  connect(robot_.data(), &robot::Robot::identityChanged, this, &Recorder::recordIdentity);
   onLink();
   connect(robot_.data(), &robot::Robot::connectionChanged, this, &Recorder::onLink);
   if (robot::Delivers* const delivers = robot::deliversOf(*robot_)) {
@@ -113,7 +113,7 @@ void Recorder::begin() {
   timer_.start(kTellEveryMs);
 }
 
-void Recorder::tell() {
+void Recorder::recordIdentity() {
   if (!robot_) return;
   const robot::RobotIdentity identity = robot_->identity();
   putMetadata(kAbout, {{"version", std::to_string(kVersion)},

@@ -71,7 +71,7 @@ class Recorder : public QObject {
  private:
   Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> writer, Options options);
   void begin();
-  void tell();
+  void recordIdentity();
   void putMetadata(const char* name, recording::Values values);
   /// Records when the connection was lost and restored.
   void onLink();

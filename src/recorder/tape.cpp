@@ -215,7 +215,7 @@ std::optional<recording::ChannelId> Tape::channelOf(const Entry& entry, const Me
 
 std::optional<disk::FileError> Tape::beside(const Entry& entry) {
   if (entry.kind == Entry::Kind::Metadata) {
-    fault_ = writer_->note({entry.name, entry.values});
+    fault_ = writer_->addMetadata({entry.name, entry.values});
   } else {
     fault_ = writer_->attach({entry.name, entry.encoding, entry.log_ns, entry.publish_ns, entry.bytes});
     if (!fault_) ++files_written_;
@@ -262,7 +262,7 @@ std::optional<disk::FileError> Tape::finish(std::int64_t now_ns, EntryQueue::Los
   end.values["messages"] = std::to_string(writer_->progress().messages);
   end.values["lost"] = std::to_string(lost_ + elsewhere.entries);
   end.values["lost_bytes"] = std::to_string(lost_bytes_ + elsewhere.bytes);
-  writer_->note(end);  // even if closing fails there
+  writer_->addMetadata(end);  // even if closing fails there
   fault_ = writer_->close();
   ended_ = true;
   return fault_;

@@ -60,7 +60,7 @@ class McapReader final : public ChunkedSource {
   bool sumFits(const mcap::Footer& footer, std::uint64_t footer_at) const;
   bool readChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end);
 
-  Step take(Window& window, const McapRecord& record, std::uint64_t to);
+  Step handleRecord(Window& window, const McapRecord& record, std::uint64_t to);
   Step readChunk(Window& window, const McapRecord& record, std::uint64_t to);
   Step readMessage(Window& window, const McapRecord& record);
   Step readIndex(Window& window, const McapRecord& record);
@@ -352,7 +352,7 @@ std::optional<Attachment> McapReader::attachment(const AttachmentPlace& place) {
 /// (opcodes 0x10 to 0x7F are for later versions, 0x80 and above are private).
 bool leadsOn(Window& window, const McapRecord& record, std::uint64_t to) {
   if (std::uint8_t(record.op) == 0) return false;
-  if (record.length > to - record.content()) return true;  // take() detects whether it was cut off
+  if (record.length > to - record.content()) return true;  // handleRecord() detects whether it was cut off
   ByteReader in(window.look(record.end(), mcap::kRecordHead, to));
   const auto op = in.number<std::uint8_t>();
   const auto length = in.number<std::uint64_t>();
@@ -369,10 +369,10 @@ ChunkedSource::Step McapReader::readRecord(Window& window, std::uint64_t from, s
   const auto op = in.number<std::uint8_t>();
   const McapRecord record{Op(op), from, in.number<std::uint64_t>()};
   past = record.end();
-  return isKnownOp(op) || leadsOn(window, record, to) ? take(window, record, to) : Step::NoRecord;
+  return isKnownOp(op) || leadsOn(window, record, to) ? handleRecord(window, record, to) : Step::NoRecord;
 }
 
-ChunkedSource::Step McapReader::take(Window& window, const McapRecord& record, std::uint64_t to) {
+ChunkedSource::Step McapReader::handleRecord(Window& window, const McapRecord& record, std::uint64_t to) {
   const bool whole = record.length <= to - record.content();
   if (record.op != Op::MessageIndex) settleChunk(false);
   if (record.op == Op::Chunk) return readChunk(window, record, to);

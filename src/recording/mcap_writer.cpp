@@ -230,7 +230,7 @@ std::optional<disk::FileError> McapWriter::attach(const Attachment& attachment) 
   return fault;
 }
 
-std::optional<disk::FileError> McapWriter::note(const Metadata& metadata) {
+std::optional<disk::FileError> McapWriter::addMetadata(const Metadata& metadata) {
   if (data_ended_) return disk::systemError({}, EINVAL);
   mcap::RecordWriter record;
   mcap::write(record, mcap::MetadataRecord{metadata});

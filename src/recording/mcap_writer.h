@@ -60,7 +60,7 @@ class McapWriter {
   std::optional<disk::FileError> write(ChannelId channel, const Stamp& stamp,
                                        std::span<const std::uint8_t> bytes);
   std::optional<disk::FileError> attach(const Attachment& attachment);
-  std::optional<disk::FileError> note(const Metadata& metadata);
+  std::optional<disk::FileError> addMetadata(const Metadata& metadata);
   /// Closes the open chunk if it is old enough, by the clock of log times. Call it regularly, otherwise the
   /// last messages before a pause stay in memory.
   std::optional<disk::FileError> tick(std::int64_t now_ns);

@@ -129,7 +129,7 @@ class Ros1Bag final : public ChunkedSource {
   std::optional<BagRecord> recordAt(Window& window, std::uint64_t at, std::uint64_t end, bool& cut) const;
   bool openByIndex();
   std::optional<ChunkPlace> infoIn(const BagRecord& record) const;
-  Step take(const BagRecord& record);
+  Step handleRecord(const BagRecord& record);
   Step readMessage(const BagRecord& record);
   Step readIndex(const BagRecord& record);
   Step readConnection(const BagRecord& record);
@@ -344,14 +344,14 @@ ChunkedSource::Step Ros1Bag::readRecord(Window& window, std::uint64_t from, std:
   bool cut = false;
   const std::optional<BagRecord> record = recordAt(window, from, to, cut);
   if (record && (record->op != BagOp::Index || indexedChunk() == nullptr)) settleChunk(false);
-  Step step = record ? take(*record) : cut ? Step::CutOff : Step::NoRecord;
+  Step step = record ? handleRecord(*record) : cut ? Step::CutOff : Step::NoRecord;
   if (record) past = record->end();
   // A length beyond the end belongs to the last, truncated record, or is invalid.
   if (step == Step::CutOff && nextChunk(window, from + 1, to) != to) step = Step::NoRecord;
   return step;
 }
 
-ChunkedSource::Step Ros1Bag::take(const BagRecord& record) {
+ChunkedSource::Step Ros1Bag::handleRecord(const BagRecord& record) {
   switch (record.op) {
     case BagOp::Message:
       return readMessage(record);

@@ -158,7 +158,7 @@ class Linker {
   }
 
   tl::expected<RosSchema, Fault> link() {
-    if (auto fault = take(0, 0)) return tl::unexpected(std::move(*fault));
+    if (auto fault = addSection(0, 0)) return tl::unexpected(std::move(*fault));
     return std::move(schema_);
   }
 
@@ -166,7 +166,7 @@ class Linker {
   enum class State : std::uint8_t { Open, Done };
 
   /// Adds a section, with everything it contains, to the schema.
-  std::optional<Fault> take(std::size_t section, std::size_t depth) {
+  std::optional<Fault> addSection(std::size_t section, std::size_t depth) {
     const Section& taken = sections_[section];
     if (depth > kDeepest) return Fault{Fault::Code::TooLong, 0, taken.name};
     const std::size_t at = schema_.types.size();
@@ -208,7 +208,7 @@ class Linker {
       return made->second.second;
     }
     const std::size_t at = schema_.types.size();
-    if (auto fault = take(found->second, depth + 1)) return tl::unexpected(std::move(*fault));
+    if (auto fault = addSection(found->second, depth + 1)) return tl::unexpected(std::move(*fault));
     return at;
   }
 

@@ -34,32 +34,32 @@ enum class RosKind : std::uint8_t {
   Duration,  // of ROS 1: signed
   Nested,    // RosField::type
 };
-/// Calls `take` with a zero of the number type (or bool) of a kind; false: it is another kind.
-template <typename Take>
-bool visitNumber(RosKind kind, Take&& take) {
+/// Calls `visit` with a zero of the number type (or bool) of a kind; false: it is another kind.
+template <typename Visit>
+bool visitNumber(RosKind kind, Visit&& visit) {
   switch (kind) {
     case RosKind::Flag:
-      return take(false), true;
+      return visit(false), true;
     case RosKind::Int8:
-      return take(std::int8_t()), true;
+      return visit(std::int8_t()), true;
     case RosKind::Uint8:
-      return take(std::uint8_t()), true;
+      return visit(std::uint8_t()), true;
     case RosKind::Int16:
-      return take(std::int16_t()), true;
+      return visit(std::int16_t()), true;
     case RosKind::Uint16:
-      return take(std::uint16_t()), true;
+      return visit(std::uint16_t()), true;
     case RosKind::Int32:
-      return take(std::int32_t()), true;
+      return visit(std::int32_t()), true;
     case RosKind::Uint32:
-      return take(std::uint32_t()), true;
+      return visit(std::uint32_t()), true;
     case RosKind::Int64:
-      return take(std::int64_t()), true;
+      return visit(std::int64_t()), true;
     case RosKind::Uint64:
-      return take(std::uint64_t()), true;
+      return visit(std::uint64_t()), true;
     case RosKind::Float32:
-      return take(0.0F), true;
+      return visit(0.0F), true;
     case RosKind::Float64:
-      return take(0.0), true;
+      return visit(0.0), true;
     default:
       return false;
   }

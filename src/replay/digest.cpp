@@ -217,12 +217,12 @@ void PrefixIndex::add(Tick from, Digest digest) {
 void PrefixIndex::share(const Slot& slot, Digest::Last& last, const Ranges& ranges, Tick from) const {
   if (!last.message) return;
   const auto after = std::lower_bound(ranges.begin(), ranges.end(), from);
-  const auto take = [&](Tick range) {
+  const auto shareWith = [&](Tick range) {
     const auto& theirs = digests_.at(range).last.at(slot).message;
     if (theirs && *theirs == *last.message) last.message = theirs;
   };
-  if (after != ranges.end() && *after != from) take(*after);
-  if (after != ranges.begin()) take(*std::prev(after));
+  if (after != ranges.end() && *after != from) shareWith(*after);
+  if (after != ranges.begin()) shareWith(*std::prev(after));
 }
 
 void PrefixIndex::unfile(Tick from, const Digest& digest) {

@@ -81,7 +81,7 @@ struct Telling {
   template <typename Other>
   void operator()(const Other&) {}
 
-  void take(const Digest::Pose& now) {
+  void onPose(const Digest::Pose& now) {
     if (pose && !placed_anew && map::isJump(placeOf(*pose), placeOf(now))) {
       Event& jump = add(EventKind::PositionJump);
       jump.metres = std::hypot(now.pose.x_m - pose->pose.x_m, now.pose.y_m - pose->pose.y_m);
@@ -89,11 +89,11 @@ struct Telling {
     placed_anew = false;
     pose = now;
   }
-  void take(const Digest::Move& now) {
+  void onMove(const Digest::Move& now) {
     if (move && *move != now.state) add(EventKind::MoveState, 0, now.state);
     move = now.state;
   }
-  void take(const Digest::Kept& kept) { std::visit(*this, kept.message); }
+  void onKept(const Digest::Kept& kept) { std::visit(*this, kept.message); }
 };
 
 }  // namespace
@@ -112,15 +112,15 @@ std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {
       if (!poses && !keeps) break;
       if (poses && (!keeps || pose->place < kept->place)) {
         telling.at_s = pose->stamp_s;
-        telling.take(*pose++);
+        telling.onPose(*pose++);
       } else {
         telling.at_s = kept->stamp_s;
-        telling.take(*kept++);
+        telling.onKept(*kept++);
       }
     }
     for (const Digest::Move& move : digest.moves) {
       telling.at_s = move.stamp_s;
-      telling.take(move);
+      telling.onMove(move);
     }
   }
   std::stable_sort(telling.events.begin(), telling.events.end(),

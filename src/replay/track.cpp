@@ -23,7 +23,7 @@ class Collecting {
     auto kept = digest.history.begin();
     for (const Digest::Pose& pose : digest.poses) {
       for (; kept != digest.history.end() && kept->place < pose.place; ++kept) hear(kept->message);
-      take(pose);
+      add(pose);
     }
     for (; kept != digest.history.end(); ++kept) hear(kept->message);
   }
@@ -42,7 +42,7 @@ class Collecting {
       map_ = now;
     }
   }
-  void take(const Digest::Pose& pose) {
+  void add(const Digest::Pose& pose) {
     if (!points.empty()) {
       const TrackPoint& before = points.back();
       const map::TrailPoint from{{before.pose.x_m, before.pose.y_m}, before.stamp_s};

@@ -100,7 +100,7 @@ class TopicSession : public WebSocketLink {
     topics_.clear();
   }
 
-  void take(const std::string& text, bool is_text) override {
+  void onMessage(const std::string& text, bool is_text) override {
     if (!is_text) return send(errorFrame("Binary messages are not understood."));
     const TopicRequest request = parseTopicRequest(text, server_.robot().options.enable_topic_list);
     if (!request.problem.empty()) return send(errorFrame(request.problem));

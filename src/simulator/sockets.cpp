@@ -41,7 +41,7 @@ using Transferred = std::function<void(ErrorCode, std::size_t)>;
 using Waited = std::function<void(ErrorCode)>;
 
 using Acceptor = boost::asio::basic_socket_acceptor<tcp, Executor>;
-using Take = std::function<void(Connection&)>;
+using OnConnection = std::function<void(Connection&)>;
 
 struct Connection {
   Socket socket;
@@ -84,7 +84,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     readHttp(stream_, buffer_, *parser_, [self = shared_from_this()](ErrorCode error, std::size_t) {
       self->stream_.expires_never();
       if (!error) {
-        self->take();
+        self->onRequest();
         return;
       }
       const bool refused = error == http::error::header_limit || error == http::error::body_limit;
@@ -104,7 +104,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   }
 
  private:
-  void take() {
+  void onRequest() {
     const auto& request = parser_->get();
     const std::string_view target = view(request.target()), path = pathOf(target);
     HttpQuestion question{view(request.method_string()),
@@ -238,16 +238,17 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 struct Loop::Impl {
   explicit Impl(std::size_t count) : workers(count) {}
 
-  void accept(Acceptor& acceptor, Take take) {
-    acceptor.async_accept([this, &acceptor, take = std::move(take)](ErrorCode error, Socket socket) mutable {
-      if (error == boost::asio::error::operation_aborted) return;
-      if (!error) {
-        socket.set_option(tcp::no_delay(true), error);
-        Connection connection{std::move(socket)};
-        take(connection);
-      }
-      accept(acceptor, std::move(take));
-    });
+  void accept(Acceptor& acceptor, OnConnection on_connection) {
+    acceptor.async_accept(
+        [this, &acceptor, on_connection = std::move(on_connection)](ErrorCode error, Socket socket) mutable {
+          if (error == boost::asio::error::operation_aborted) return;
+          if (!error) {
+            socket.set_option(tcp::no_delay(true), error);
+            Connection connection{std::move(socket)};
+            on_connection(connection);
+          }
+          accept(acceptor, std::move(on_connection));
+        });
   }
 
   boost::asio::io_context io{1};
@@ -261,7 +262,7 @@ Loop::Loop(std::size_t workers) : impl_(std::make_unique<Impl>(workers)) {}
 Loop::~Loop() { stop(); }
 
 tl::expected<std::uint16_t, std::string> Loop::listen(std::uint16_t port, const std::string& whose,
-                                                      Take take) {
+                                                      OnConnection on_connection) {
   Acceptor& acceptor = impl_->acceptors.emplace_back(impl_->io);
   ErrorCode error;
   const tcp::endpoint endpoint(boost::asio::ip::address_v4::loopback(), port);
@@ -275,7 +276,7 @@ tl::expected<std::uint16_t, std::string> Loop::listen(std::uint16_t port, const 
     return tl::make_unexpected(whose + " could not open port " + std::to_string(port) + " on 127.0.0.1: " +
                                error.message() + ". Choose another port, or 0 for a free one.");
   }
-  impl_->accept(acceptor, std::move(take));
+  impl_->accept(acceptor, std::move(on_connection));
   return opened;
 }
 
@@ -364,7 +365,7 @@ void WebSocketLink::read() {
                              const auto bytes = self->wire_->buffer.data();
                              const std::string text(static_cast<const char*>(bytes.data()), bytes.size());
                              self->wire_->buffer.consume(self->wire_->buffer.size());
-                             self->take(text, self->wire_->stream.got_text());
+                             self->onMessage(text, self->wire_->stream.got_text());
                              if (self->open_) self->read();
                            }));
 }

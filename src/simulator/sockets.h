@@ -33,7 +33,7 @@ class Loop {
   /// Opens a port of 127.0.0.1, 0 = a free one, and passes on new connections. Returns the port, or a
   /// sentence if it could not be opened.
   tl::expected<std::uint16_t, std::string> listen(std::uint16_t port, const std::string& whose,
-                                                  std::function<void(Connection&)> take);
+                                                  std::function<void(Connection&)> on_connection);
   void start();
   bool isStarted() const;
   /// Tasks not started yet are dropped; what they keep alive is destroyed with the loop.
@@ -113,7 +113,7 @@ class WebSocketLink : public std::enable_shared_from_this<WebSocketLink> {
 
   /// The handshake is done. Nothing is read when it answers false: who does not read does not pong either.
   virtual bool opened() = 0;
-  virtual void take(const std::string& bytes, bool is_text) = 0;
+  virtual void onMessage(const std::string& bytes, bool is_text) = 0;
   /// It is closed or cut; comes more than once.
   virtual void gone() = 0;
 

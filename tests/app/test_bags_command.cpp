@@ -101,10 +101,10 @@ class BagsCommandTest : public QObject {
     const auto ns = [](double s) {
       return std::to_string(1'717'405'200'000'000'000 + std::llround(s * 1e9));
     };
-    (void)(*writer)->note({"mapwright", {{"version", "1"}, {"kind", "axbot"}}});
-    (void)(*writer)->note({"mapwright.link", {{"lost_ns", ns(20)}}});
-    (void)(*writer)->note({"mapwright.link", {{"lost_ns", ns(20)}, {"back_ns", ns(25)}}});
-    (void)(*writer)->note({"mapwright.link", {{"lost_ns", ns(50)}}});
+    (void)(*writer)->addMetadata({"mapwright", {{"version", "1"}, {"kind", "axbot"}}});
+    (void)(*writer)->addMetadata({"mapwright.link", {{"lost_ns", ns(20)}}});
+    (void)(*writer)->addMetadata({"mapwright.link", {{"lost_ns", ns(20)}, {"back_ns", ns(25)}}});
+    (void)(*writer)->addMetadata({"mapwright.link", {{"lost_ns", ns(50)}}});
     const auto cursor = (*source)->messages({});
     while (const auto message = cursor->next())
       (void)(*writer)->write(*(*writer)->addChannel(*message->channel), {message->log_time_ns, 0, 0},

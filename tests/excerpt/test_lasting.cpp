@@ -526,7 +526,7 @@ class LastingTest : public QObject {
       } else {
         auto writing = excerpt::begin(order);
         QVERIFY(writing.has_value());
-        QVERIFY(!(*writing)->take(replay::inRange(all)));
+        QVERIFY(!(*writing)->add(replay::inRange(all)));
         QVERIFY((*writing)->place().has_value());
       }
       const Played part(Open(QString::fromStdString(order.path)).whole());

@@ -118,9 +118,9 @@ constexpr std::int64_t kStart = 1'000'000'000, kLength = 1'000;
 void makeRecording(const std::string& path, std::mt19937& random) {
   Writing file(path);
   const auto upTo = [&](int most) { return int(random() % unsigned(most)); };
-  (void)file.writer().note({"mapwright", {{"version", "2"}, {"name", ""}}});
-  (void)file.writer().note({"mapwright", {{"version", "2"}, {"name", "Robbie"}}});
-  for (int i = upTo(3); i > 0; --i) (void)file.writer().note({"other", {{"a", "b"}}});
+  (void)file.writer().addMetadata({"mapwright", {{"version", "2"}, {"name", ""}}});
+  (void)file.writer().addMetadata({"mapwright", {{"version", "2"}, {"name", "Robbie"}}});
+  for (int i = upTo(3); i > 0; --i) (void)file.writer().addMetadata({"other", {{"a", "b"}}});
   const std::vector<std::string> topics{"/pose", "/tf_static", "/map", "/map_updates", "/alerts"};
   for (const std::string& topic : topics) {
     for (int i = upTo(3); i > 0; --i)
@@ -137,7 +137,7 @@ void makeRecording(const std::string& path, std::mt19937& random) {
   for (int i = upTo(8); i > 0; --i)
     (void)file.writer().attach({"maps/" + std::to_string(upTo(2)), "image/png", kStart + upTo(int(kLength)),
                                 upTo(2) ? 0 : 7, "picture " + std::to_string(upTo(2))});
-  (void)file.writer().note({"mapwright.end", {{"lost", "0"}}});
+  (void)file.writer().addMetadata({"mapwright.end", {{"lost", "0"}}});
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ class RecordingMergeTest : public QObject {
   void strangersKeepAllTheyHold() {
     {
       Writing file(path("one"));
-      (void)file.writer().note({"mapwright", {{"name", "one"}}});
+      (void)file.writer().addMetadata({"mapwright", {{"name", "one"}}});
       file.say("/map", kStart, kStart - 50, "old", 0, true);
       file.say("/pose", kStart + 10, kStart + 10, "1");
       file.say("/pose", kStart + 20, kStart + 20, "2");
@@ -227,7 +227,7 @@ class RecordingMergeTest : public QObject {
     }
     {
       Writing file(path("two"));
-      (void)file.writer().note({"mapwright", {{"name", "two"}}});
+      (void)file.writer().addMetadata({"mapwright", {{"name", "two"}}});
       file.say("/map", kStart + 15, kStart - 10, "newer", 0, true);
       file.say("/pose", kStart + 15, kStart + 10, "1", 0, true);                 // the first file holds it
       file.say("/pose", kStart + 20, kStart + 20, "other", 0);                   // of the same time
@@ -289,7 +289,7 @@ class RecordingMergeTest : public QObject {
   void aRepairedRecordingIsWholeAndSaysWhenItBrokeOff() {
     {
       Writing file(path("killed"));
-      (void)file.writer().note({"mapwright", {{"version", "2"}}});
+      (void)file.writer().addMetadata({"mapwright", {{"version", "2"}}});
       file.say("/pose", kStart, kStart, "1");
       file.say("/pose", kStart + 500, kStart + 500, "2");
     }

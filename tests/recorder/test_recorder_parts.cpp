@@ -286,23 +286,23 @@ class RecorderPartsTest : public QObject {
 
   void everyListedSubmapIsAskedForAFewAtOnce() {
     SubmapRequests wishes(SubmapRequests::Which::Listed);
-    wishes.take(listOf("u", {1, 1, 1, 1, 1, 1}), 0);
+    wishes.onList(listOf("u", {1, 1, 1, 1, 1, 1}), 0);
     auto asked = wishes.next();
     QCOMPARE(asked.size(), SubmapRequests::kAtOnce);
     QVERIFY(wishes.next().empty());
     wishes.answered(asked[0], Outcome::Ok, 1);
     QCOMPARE(wishes.next().size(), std::size_t(1));
     QCOMPARE(wishes.missing(), std::size_t(5));
-    wishes.take(listOf("u", {1, 1, 1, 1, 1, 1}), 2);
+    wishes.onList(listOf("u", {1, 1, 1, 1, 1, 1}), 2);
     QVERIFY(wishes.next().empty());
   }
 
   void listedOnesAreAskedForAgainAfterAWhileAndAllOnesAtOnce() {
     for (const bool every : {false, true}) {
       SubmapRequests wishes(every ? SubmapRequests::Which::All : SubmapRequests::Which::Listed);
-      wishes.take(listOf("u", {1}), 0);
+      wishes.onList(listOf("u", {1}), 0);
       wishes.answered(wishes.next().front(), Outcome::Ok, 0);
-      wishes.take(listOf("u", {2}), kSecond);
+      wishes.onList(listOf("u", {2}), kSecond);
       QCOMPARE(wishes.next().size(), std::size_t(every ? 1 : 0));
       wishes.look(SubmapRequests::kAgainNs);
       QCOMPARE(wishes.next().size(), std::size_t(every ? 0 : 1));
@@ -312,7 +312,7 @@ class RecorderPartsTest : public QObject {
   void oneThatFailsIsTriedAgainAFewTimesAndAnotherSessionBeginsAnew() {
     SubmapRequests wishes(SubmapRequests::Which::Listed);
     std::int64_t now = 0;
-    wishes.take(listOf("u", {1}), now);
+    wishes.onList(listOf("u", {1}), now);
     int tries = 0;
     for (int i = 0; i < 20; ++i) {
       for (const auto& key : wishes.next()) {
@@ -324,7 +324,7 @@ class RecorderPartsTest : public QObject {
       wishes.look(now);
     }
     QCOMPARE(tries, SubmapRequests::kTries);
-    wishes.take(listOf("v", {1, 1}), now);
+    wishes.onList(listOf("v", {1, 1}), now);
     const auto keys = wishes.next();
     QCOMPARE(keys.size(), std::size_t(2));
     QCOMPARE(keys.front().uuid, std::string("v"));
@@ -334,7 +334,7 @@ class RecorderPartsTest : public QObject {
 
   void noneIsNone() {
     SubmapRequests wishes(SubmapRequests::Which::None);
-    wishes.take(listOf("u", {1, 2}), 0);
+    wishes.onList(listOf("u", {1, 2}), 0);
     QVERIFY(wishes.next().empty());
   }
 };

@@ -251,7 +251,7 @@ void TestMcap::attachmentsAndMetadataComeBack() {
   writer->write(id, {5, 5, 1}, bytesOf("x"));
   const Attachment map{"office.png", "image/png", 10, 9, std::string(100'000, '\x7f')};
   QVERIFY(!writer->attach(map));
-  QVERIFY(!writer->note({"robot", {{"sn", "42"}, {"model", "K"}}}));
+  QVERIFY(!writer->addMetadata({"robot", {{"sn", "42"}, {"model", "K"}}}));
   writer->write(id, {6, 6, 2}, bytesOf("y"));
   writer->close();
   const Opened opened = openRecording(heldBytes(bytes));

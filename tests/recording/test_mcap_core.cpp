@@ -71,7 +71,7 @@ void TestMcapCore::othersReadWhatWeWrite() {
       const ChannelId id = *(*writer)->addChannel(channelOf(row.topic));
       (*writer)->write(id, {row.log_ns, row.log_ns, row.sequence}, bytesOf(row.bytes));
       if (row.sequence == 50) (*writer)->attach({"a.png", "image/png", 1, 2, "picture"});
-      if (row.sequence == 60) (*writer)->note({"robot", {{"sn", "42"}}});
+      if (row.sequence == 60) (*writer)->addMetadata({"robot", {{"sn", "42"}}});
       if (row.sequence % 30 == 0) (*writer)->flush();
     }
     (*writer)->addChannel(channelOf("/silent"));

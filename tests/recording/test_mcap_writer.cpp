@@ -183,7 +183,7 @@ void TestMcapWriter::whatCannotBeWrittenIsRefused() {
   QVERIFY(!writer->write(id, {-7, -7, 1}, bytesOf("before the epoch")));
   QVERIFY(!writer->close());
   QVERIFY(writer->write(id, {1, 1, 1}, bytesOf("too late")));
-  QVERIFY(writer->attach({}) && writer->note({}));
+  QVERIFY(writer->attach({}) && writer->addMetadata({}));
   QCOMPARE(readBack(bytes).at(0).log_ns, std::int64_t(0));
   QCOMPARE(writer->progress().lost, std::uint64_t(3));
 }

@@ -35,7 +35,7 @@ class Building {
   };
   /// The points of the square metres that the box touches, in a fixed order.
   void pointsNear(const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m,
-                  const std::function<void(const Point&)>& take) const;
+                  const std::function<void(const Point&)>& visit) const;
   /// How many these are.
   double countNear(const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m) const;
 
@@ -216,7 +216,7 @@ double Building::countNear(const Eigen::Vector3d& low_m, const Eigen::Vector3d& 
 }
 
 void Building::pointsNear(const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m,
-                          const std::function<void(const Point&)>& take) const {
+                          const std::function<void(const Point&)>& visit) const {
   constexpr int kEach = kPointsPerColumn / kStoreys;
   const Columns columns = columnsIn(low_m, high_m);
   for (std::int64_t y = columns.from_y; y < columns.to_y; ++y) {
@@ -236,7 +236,7 @@ void Building::pointsNear(const Eigen::Vector3d& low_m, const Eigen::Vector3d& h
           point.at_m.z() += height;
           point.intensity = static_cast<float>(solid ? 180 + 60 * dice.uniform(0, 1) : 40);
           point.rgb = kColors[static_cast<std::size_t>(storey)];
-          take(point);
+          visit(point);
         }
       }
     }
@@ -404,7 +404,7 @@ Answer Dispatcher::cloud(const Value& request, bool whole, bool occupancy) const
   std::vector<Building::Point> points;
   std::set<std::tuple<int, int, int>> voxels;
   bool too_many = false;
-  const auto take = [&](const Building::Point& point) {
+  const auto addPoint = [&](const Building::Point& point) {
     if (too_many) return;
     Building::Point taken = point;
     if (occupancy) {
@@ -421,7 +421,7 @@ Answer Dispatcher::cloud(const Value& request, bool whole, bool occupancy) const
     points.push_back(taken);
     too_many = double(points.size()) > kMostPoints;
   };
-  if (odd.answer != "empty") building_->pointsNear(low, high, take);
+  if (odd.answer != "empty") building_->pointsNear(low, high, addPoint);
   if (too_many) return refused(verb, "not enough memory for so many points");
   return Value::Object{{whole ? "map" : "sub_map", cloudMessage(headerOf(kFrame, 0, options_.ros.dialect),
                                                                 points, !occupancy, odd.cloud)}};

@@ -73,7 +73,7 @@ std::optional<std::string> RosServer::start(std::uint16_t port) {
   return std::nullopt;
 }
 
-void RosServer::note(std::string_view method, std::string_view target, int status) {
+void RosServer::logRequest(std::string_view method, std::string_view target, int status) {
   RequestRecord record;
   record.method = method;
   record.target = target;

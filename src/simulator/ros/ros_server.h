@@ -49,7 +49,7 @@ class RosServer {
   RosRobot& robot() { return robot_; }
   Links<RosSession>& links() { return links_; }
   Loop& loop() { return loop_; }
-  void note(std::string_view method, std::string_view target, int status);
+  void logRequest(std::string_view method, std::string_view target, int status);
   /// Publishes the changes of a call.
   void publishChanges();
   /// Whether a subscription will ever get a message.

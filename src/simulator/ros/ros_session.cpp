@@ -127,7 +127,7 @@ std::optional<Subscription> Subscriptions::of(std::string_view topic) const {
   return found == topics_.end() ? std::nullopt : std::optional(merged(found->second));
 }
 
-bool Subscriptions::take(const PublicationPtr& message, Time now) {
+bool Subscriptions::admit(const PublicationPtr& message, Time now) {
   const auto found = topics_.find(message->topic());
   if (found == topics_.end()) return false;
   Topic& topic = found->second;
@@ -163,7 +163,7 @@ bool RosSession::opened() {
   return true;
 }
 
-void RosSession::take(const std::string& text, bool) { understand(text); }
+void RosSession::onMessage(const std::string& text, bool) { understand(text); }
 
 void RosSession::gone() { server_.links().leave(this); }
 
@@ -230,7 +230,7 @@ void RosSession::join(const Value& piece) {
 void RosSession::subscribe(const Value& message) {
   const Value& id = message["id"];
   const std::string& topic = message["topic"].text();
-  server_.note("SUBSCRIBE", topic, 200);
+  server_.logRequest("SUBSCRIBE", topic, 200);
   if (topic.empty() || !isTextIfThere(message, "type") || !isTextIfThere(message, "compression") ||
       !isCount(message, "throttle_rate") || !isCount(message, "queue_length") ||
       !isCount(message, "fragment_size"))
@@ -254,13 +254,13 @@ void RosSession::subscribe(const Value& message) {
 
 void RosSession::unsubscribe(const Value& message) {
   const std::string& topic = message["topic"].text();
-  server_.note("UNSUBSCRIBE", topic, 200);
+  server_.logRequest("UNSUBSCRIBE", topic, 200);
   subscriptions_.remove(topic, message.has("id") ? std::optional(idText(message["id"])) : std::nullopt);
 }
 
 void RosSession::publish(const Value& message) {
   const std::string& topic = message["topic"].text();
-  server_.note("PUBLISH", topic, 200);
+  server_.logRequest("PUBLISH", topic, 200);
   if (topic.empty() || message["msg"].as<Value::Object>() == nullptr)
     return complain("publish needs a topic and a msg", message["id"]);
   if (const std::string problem = server_.publishFrom(topic, message["msg"]); !problem.empty())
@@ -274,7 +274,7 @@ void RosSession::call(const Value& message) {
   const Verdict verdict = server_.plan().decide(server_.robot().kindsOf(service), "CALL", service);
   ++calls_;
   if (verdict.is(FaultKind::Refuse) && verdict.number == 0) {
-    server_.note("CALL", service, 503);
+    server_.logRequest("CALL", service, 503);
     return answer(service, id, false,
                   "service [" + service + "] responded with an error: b'refused on request'",
                   verdict.delay_ms);
@@ -284,12 +284,12 @@ void RosSession::call(const Value& message) {
                              ? Answer()
                              : server_.robot().call(service, message["args"], verdict);
   if (!verdict.isAnswered()) {
-    server_.note("CALL", service, 0);
+    server_.logRequest("CALL", service, 0);
     server_.publishChanges();
     if (!verdict.is(FaultKind::Silence)) cut();
     return;
   }
-  server_.note("CALL", service, outcome ? 200 : 400);
+  server_.logRequest("CALL", service, outcome ? 200 : 400);
   // The topics of a change come before its answer, or after it.
   if (calls_ % 2 == 0) server_.publishChanges();
   answer(service, id, outcome.has_value(), outcome ? *outcome : Value(outcome.error()), verdict.delay_ms);
@@ -320,7 +320,7 @@ void RosSession::complain(std::string_view sentence, const Value& id) {
 
 void RosSession::deliver(const PublicationPtr& message, bool at_once) {
   if (!isOpen() || !wants(message->topic())) return;
-  if (at_once || subscriptions_.take(message, std::chrono::steady_clock::now())) encode(*message);
+  if (at_once || subscriptions_.admit(message, std::chrono::steady_clock::now())) encode(*message);
 }
 
 void RosSession::tick(Subscriptions::Time now) {

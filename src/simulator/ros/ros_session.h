@@ -62,7 +62,7 @@ class Subscriptions {
   std::optional<Subscription> of(std::string_view topic) const;
 
   /// Whether to send a message now; otherwise it waits as far as the queue allows.
-  bool take(const PublicationPtr& message, Time now);
+  bool admit(const PublicationPtr& message, Time now);
   /// Messages that have waited long enough.
   std::vector<PublicationPtr> due(Time now);
 
@@ -95,7 +95,7 @@ class RosSession : public WebSocketLink {
   };
 
   bool opened() override;
-  void take(const std::string& text, bool is_text) override;
+  void onMessage(const std::string& text, bool is_text) override;
   void gone() override;
   std::shared_ptr<RosSession> self() { return std::static_pointer_cast<RosSession>(shared_from_this()); }
   void understand(std::string_view text, bool joined = false);
