@@ -158,7 +158,7 @@ void CloudStore::count() {
     const std::uint64_t shown = countShown(*set, chosen);
     later(epoch, [this, set, found, shown] {
       counting_ = false;
-      take(set, found, shown);
+      publish(set, found, shown);
       if (std::exchange(count_again_, false)) count();
       emitSettled();
     });
@@ -166,7 +166,8 @@ void CloudStore::count() {
   emitSettled();
 }
 
-void CloudStore::take(const std::shared_ptr<const CloudSet>& set, const Heights& found, std::uint64_t shown) {
+void CloudStore::publish(const std::shared_ptr<const CloudSet>& set, const Heights& found,
+                         std::uint64_t shown) {
   set_ = set;
   heights_ = found;
   sums_ = {newest_.totals(), shown};

@@ -80,7 +80,7 @@ class CloudStore : public QObject {
   void later(std::uint64_t epoch, std::function<void()> made);
   void proceed();
   void count();
-  void take(const std::shared_ptr<const CloudSet>& set, const Heights& found, std::uint64_t shown);
+  void publish(const std::shared_ptr<const CloudSet>& set, const Heights& found, std::uint64_t shown);
   void proceedCutting();
   void emitSettled();
 

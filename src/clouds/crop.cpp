@@ -30,14 +30,14 @@ CroppedCloud cropped(std::shared_ptr<const map::SpatialCloud> cloud, const map::
   part->left_out = cloud->left_out;
   part->missing = cloud->missing;
   part->notes = cloud->notes;
-  const auto take = [&kept](const auto& from, auto& into) {
+  const auto copyKept = [&kept](const auto& from, auto& into) {
     if (from.empty()) return;
     into.reserve(kept.size());
     for (const std::size_t i : kept) into.push_back(from[i]);
   };
-  take(cloud->points, part->points);
-  take(cloud->intensity, part->intensity);
-  take(cloud->rgb, part->rgb);
+  copyKept(cloud->points, part->points);
+  copyKept(cloud->intensity, part->intensity);
+  copyKept(cloud->rgb, part->rgb);
   return {std::move(part), beyond};
 }
 

@@ -120,14 +120,14 @@ class CutGrid final : public grids::GridPyramid {
       for (int u = box_.left + x * kTile; u <= right;) {
         const int end = std::min(right, (u / kTile + 1) * kTile - 1), count = end - u + 1;
         const Cells& from = from_[std::size_t((v / kTile - first_y) * across + u / kTile - first_x)];
-        if (from) take(from.get() + std::size_t(v % kTile) * kTile + u % kTile, out, count, u, v);
+        if (from) copyRow(from.get() + std::size_t(v % kTile) * kTile + u % kTile, out, count, u, v);
         out += count;
         u = end + 1;
       }
     }
     return cells;
   }
-  void take(const std::uint8_t* from, std::uint8_t* out, int count, int u, int v) const {
+  void copyRow(const std::uint8_t* from, std::uint8_t* out, int count, int u, int v) const {
     for (int i = 0; i < count; ++i) out[i] = from[i] == kNotFetched ? grids::kUnknownOccupancy : from[i];
     for (int i = 0; trimmed_ && i < count; ++i) {
       if (!rect_.contains(of_sheet_.worldFromCell({u + i + 0.5, v + 0.5}))) out[i] = grids::kUnknownOccupancy;

@@ -42,7 +42,7 @@ RegionFetch::RegionFetch(robot::MapDispatch& dispatch, const geometry::WorldRect
                          QObject* parent)
     : QObject(parent), rect_(rect), tries_(options.tries), map_(dispatch, mapOptions(options, rect)) {
   // The requests are sent from within look(): whether it was the last is only known afterwards.
-  connect(&map_, &RegionMap::changed, this, &RegionFetch::note, Qt::QueuedConnection);
+  connect(&map_, &RegionMap::changed, this, &RegionFetch::onChanged, Qt::QueuedConnection);
   without_offer_.setSingleShot(true);
   without_offer_.setInterval(int(options.offer_within.count()));
   connect(&without_offer_, &QTimer::timeout, this, &RegionFetch::end);
@@ -66,7 +66,7 @@ RegionTrouble RegionFetch::trouble() const {
   return map_.regions().plan().probeTrouble();
 }
 
-void RegionFetch::note() {
+void RegionFetch::onChanged() {
   if (over_) return;
   Q_EMIT progressed();
   const RegionPlan& plan = map_.regions().plan();

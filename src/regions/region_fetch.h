@@ -66,7 +66,7 @@ class RegionFetch : public QObject {
   void finished();
 
  private:
-  void note();
+  void onChanged();
   void end();
 
   geometry::WorldRect rect_;

@@ -81,7 +81,7 @@ void RegionMap::look() {
       calls_[request.id] =
           dispatch_->grid(askedFor(request.rect),
                           [self = QPointer(this), id = request.id](robot::Outcome<map::GridPart> outcome) {
-                            if (self) self->take(id, std::move(outcome));
+                            if (self) self->onAnswer(id, std::move(outcome));
                           });
     }
     if (const auto due = regions_.nextDue(monotonic_()))
@@ -90,7 +90,7 @@ void RegionMap::look() {
   Q_EMIT changed();
 }
 
-void RegionMap::take(std::uint64_t id, robot::Outcome<map::GridPart> outcome) {
+void RegionMap::onAnswer(std::uint64_t id, robot::Outcome<map::GridPart> outcome) {
   if (still_) return;
   calls_.erase(id);
   const MapRegions::Change change = regions_.answered(id, std::move(outcome), monotonic_());

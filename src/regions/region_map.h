@@ -54,7 +54,7 @@ class RegionMap : public QObject {
 
  private:
   void onExtent();
-  void take(std::uint64_t id, robot::Outcome<map::GridPart> outcome);
+  void onAnswer(std::uint64_t id, robot::Outcome<map::GridPart> outcome);
 
   QPointer<robot::MapDispatch> dispatch_;
   std::function<Millis()> monotonic_;

@@ -142,7 +142,7 @@ void RegionSheet::put(const map::GridReference& piece, const std::vector<std::in
       changed.emplace_back(place, tile);
     }
   }
-  take(std::move(changed));
+  replaceTiles(std::move(changed));
 }
 
 std::optional<RegionSheet::CellBox> RegionSheet::boxAround(const geometry::WorldRect& rect) const {
@@ -180,7 +180,7 @@ bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
     changed.emplace_back(place, nothing ? nullptr : Cells(tile));
   }
   if (changed.empty()) return false;
-  take(std::move(changed));
+  replaceTiles(std::move(changed));
   return true;
 }
 
@@ -233,7 +233,7 @@ RegionSheet::Cells RegionSheet::reduced(const Place& place) const {
   return cells;
 }
 
-void RegionSheet::take(std::vector<std::pair<Place, Cells>> changed) {
+void RegionSheet::replaceTiles(std::vector<std::pair<Place, Cells>> changed) {
   const std::lock_guard lock(mutex_);
   ++changes_;
   std::vector<Place> finer;

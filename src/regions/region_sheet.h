@@ -82,7 +82,7 @@ class RegionSheet final : public grids::GridPyramid {
   std::shared_ptr<std::uint8_t> copyOf(const Place& place) const;
   /// Takes over tiles of level 0 (null: nothing left); those of coarser levels are created on demand by the
   /// reader.
-  void take(std::vector<std::pair<Place, Cells>> changed);
+  void replaceTiles(std::vector<std::pair<Place, Cells>> changed);
   Cells made(const Place& place) const;
   Cells reduced(const Place& place) const;
 

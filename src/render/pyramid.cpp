@@ -175,7 +175,7 @@ void Pyramid::invalidate(const std::vector<geometry::WorldRect>& rects) {
   }
 }
 
-std::optional<bool> Pyramid::take(const TileWorkers::Outcome& outcome) {
+std::optional<bool> Pyramid::onOutcome(const TileWorkers::Outcome& outcome) {
   const auto work = under_way_.find(outcome.ticket);
   if (work == under_way_.end()) return std::nullopt;
   const PyramidKey key = work->second;

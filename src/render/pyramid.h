@@ -40,7 +40,7 @@ class Pyramid {
 
   /// Takes the result of work started by request(). nullopt: not from there; otherwise whether it is still
   /// useful.
-  std::optional<bool> take(const TileWorkers::Outcome& outcome);
+  std::optional<bool> onOutcome(const TileWorkers::Outcome& outcome);
 
   std::size_t bytes() const { return bytes_; }
   /// Starts a round: tiles requested from now on are safe from trim().

@@ -170,7 +170,7 @@ TileWorkers::Ticket TileRenderer::startWork(const TilePlace& place, const ViewTi
 }
 
 void TileRenderer::onOther(const TileWorkers::Outcome& outcome) {
-  if (const auto of_use = pyramid_.take(outcome)) ++(*of_use ? pyramid_taken_ : pyramid_dropped_);
+  if (const auto of_use = pyramid_.onOutcome(outcome)) ++(*of_use ? pyramid_taken_ : pyramid_dropped_);
 }
 
 void TileRenderer::keepWithin(std::size_t budget) {

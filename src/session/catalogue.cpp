@@ -39,12 +39,12 @@ void Catalogue::refresh() {
   }
   loading_ = true;
   source_->list([self = QPointer<Catalogue>(this)](robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
-    if (self) self->take(std::move(answer));
+    if (self) self->onAnswer(std::move(answer));
   });
   Q_EMIT changed();
 }
 
-void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
+void Catalogue::onAnswer(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
   if (!source_) return;  // it cannot tell any more
   loading_ = false;
   if (answer) {

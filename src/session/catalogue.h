@@ -55,7 +55,7 @@ class Catalogue : public QObject {
   void thumbnailArrived(const mapwright::map::MapKey& key);  // or there is none
 
  private:
-  void take(robot::Outcome<std::vector<map::CatalogueEntry>> answer);
+  void onAnswer(robot::Outcome<std::vector<map::CatalogueEntry>> answer);
   void askForThumbnails();
   void onThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer);
 

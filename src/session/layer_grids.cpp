@@ -28,7 +28,7 @@ LayerGrids::~LayerGrids() {
   tasks_.waitForDone();
 }
 
-void LayerGrids::take(const map::GridMessage& message) {
+void LayerGrids::onGrid(const map::GridMessage& message) {
   Row& row = rows_[message.kind];
   if (row.busy) {
     row.next = message;  // the one in between is never seen

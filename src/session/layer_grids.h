@@ -28,7 +28,7 @@ class LayerGrids : public QObject {
   explicit LayerGrids(grids::Resources resources = {}, QObject* parent = nullptr);
   ~LayerGrids() override;
 
-  void take(const map::GridMessage& message);
+  void onGrid(const map::GridMessage& message);
   /// Null while none has been decoded.
   const LayerGrid* find(map::GridKind kind) const;
   void drop(map::GridKind kind);

@@ -176,10 +176,10 @@ void Session::onTopic(const map::StampedMessage& stamped) {
       grid && grid->kind != map::GridKind::WholeMap && !listensTo(grid->topic)) {
     return;
   }
-  take(stamped);
+  onMessage(stamped);
 }
 
-void Session::take(const map::StampedMessage& stamped) {
+void Session::onMessage(const map::StampedMessage& stamped) {
   const map::TopicMessage& message = stamped.message;
   const int frame = live_.frame;
   const auto [heard, first] = heard_.try_emplace(message.index());

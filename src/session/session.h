@@ -169,7 +169,7 @@ class Session : public QObject {
 
  private:
   void onTopic(const map::StampedMessage& stamped);
-  void take(const map::StampedMessage& message);
+  void onMessage(const map::StampedMessage& message);
   void reportProblems();
   void onConnection();
   void countFetch(std::size_t body_bytes, bool from_cache);

@@ -42,12 +42,12 @@ bool givenByRegion(robot::Robot& robot, const map::CatalogueEntry& entry) {
 }  // namespace
 
 void Session::wireMaps() {
-  const auto note = [this](const map::Problem& problem) { report(problem); };
+  const auto onProblem = [this](const map::Problem& problem) { report(problem); };
   const auto forget = [this](const map::Recovery& recovery) { recover(recovery); };
   for (MapSlot* slot : {&whole_map_, &compared_map_, &map_for_checks_}) {
     // Whoever needs the one for checks says why it lacks.
     if (slot != &map_for_checks_) {
-      connect(slot, &MapSlot::problemFound, this, note);
+      connect(slot, &MapSlot::problemFound, this, onProblem);
       connect(slot, &MapSlot::recovered, this, forget);
     }
     // Queued: it changes in the middle of what else it does.
@@ -72,7 +72,7 @@ void Session::wireMaps() {
       recover({overview});
     }
   });
-  connect(&layer_grids_, &LayerGrids::problemFound, this, note);
+  connect(&layer_grids_, &LayerGrids::problemFound, this, onProblem);
   connect(&layer_grids_, &LayerGrids::recovered, this, forget);
   connect(&layer_grids_, &LayerGrids::unreadable, this, &Session::discardPicture);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
@@ -326,7 +326,7 @@ void Session::retryMaps() {
 void Session::onGrid(const map::GridMessage& message, bool repeated) {
   if (message.kind != map::GridKind::WholeMap) {
     const bool shown = layer_grids_.find(message.kind) && !layer_grids_.busy();
-    if (!repeated || !shown) layer_grids_.take(message);
+    if (!repeated || !shown) layer_grids_.onGrid(message);
     return;
   }
   const map::MapKey live{map::MapKind::Live, {}};

@@ -123,7 +123,7 @@ void Submaps::adopt(const submap::SubmapChange& change, bool first) {
     lost_.clear();
     asked_again_.clear();
   }
-  for (const map::SubmapId id : scheduler_.listArrived()) note(id);
+  for (const map::SubmapId id : scheduler_.listArrived()) refreshRow(id);
   for (const map::SubmapId id : change.removed) {
     scheduler_.unwant(id);
     failure_reasons_.erase(id);
@@ -135,7 +135,7 @@ void Submaps::adopt(const submap::SubmapChange& change, bool first) {
     for (const map::SubmapId id : *ids) {
       const submap::SubmapRow* const row = store_.find(id);
       if (row->pose_usable) scheduler_.want(id, row->entry.version);
-      note(id);
+      refreshRow(id);
     }
   }
   touched_.all |= change.new_session;
@@ -165,7 +165,7 @@ void Submaps::setOnline(bool online) {
 
 void Submaps::retryNow() {
   failure_reasons_.clear();
-  for (const map::SubmapId id : scheduler_.retryNow()) note(id);
+  for (const map::SubmapId id : scheduler_.retryNow()) refreshRow(id);
   notifySoon();
   pump();
 }
@@ -182,7 +182,7 @@ void Submaps::pump() {
   robot::SubmapSource* const source = source_();
   if (!source || still_ || !online_ || decodes_ >= kMostDecodes) return;
   for (const map::SubmapKey& key : scheduler_.take(monotonic_())) {
-    note(key.id);
+    refreshRow(key.id);
     notifySoon();
     source->fetch(key, [self = QPointer<Submaps>(this)](map::SubmapAnswer answer) {
       if (self) self->onAnswer(std::move(answer));
@@ -235,7 +235,7 @@ void Submaps::onAnswer(map::SubmapAnswer answer) {
       }
       decode(std::move(answer));
     }
-    note(key.id);
+    refreshRow(key.id);
   }
   notifySoon();
   pump();
@@ -267,14 +267,14 @@ void Submaps::onDecoded() {
   decodes_ -= batch.size();
   submap::SubmapChange change;
   for (Decoded& decoded : batch) {
-    if (decoded.generation == generation_) take(std::move(decoded), change);
+    if (decoded.generation == generation_) addDecoded(std::move(decoded), change);
   }
   publish(change);
   notifySoon();
   pump();
 }
 
-void Submaps::take(Decoded decoded, submap::SubmapChange& change) {
+void Submaps::addDecoded(Decoded decoded, submap::SubmapChange& change) {
   const map::SubmapId id = decoded.submap.key.id;
   if (const auto it = decoding_.find(id); it != decoding_.end() && --it->second <= 0) decoding_.erase(it);
   const bool corrupt = std::any_of(decoded.submap.slices.begin(), decoded.submap.slices.end(),
@@ -285,7 +285,7 @@ void Submaps::take(Decoded decoded, submap::SubmapChange& change) {
   change.placed.insert(change.placed.end(), one.placed.begin(), one.placed.end());
   change.problems.insert(change.problems.end(), one.problems.begin(), one.problems.end());
   change.recoveries.insert(change.recoveries.end(), one.recoveries.begin(), one.recoveries.end());
-  note(id);
+  refreshRow(id);
 }
 
 void Submaps::discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache) {
@@ -309,13 +309,13 @@ void Submaps::lose(map::SubmapId id) {
   if (change.placed.empty()) return;
   lost_.insert(id);
   scheduler_.again({store_.uuid(), id, store_.find(id)->entry.version});
-  note(id);
+  refreshRow(id);
   publish(change);
   notifySoon();
   pump();
 }
 
-void Submaps::note(map::SubmapId id) {
+void Submaps::refreshRow(map::SubmapId id) {
   const submap::SubmapRow* const row = store_.find(id);
   if (!row) return;
   const geometry::WorldRect bounds = store_.bounds(id, slice_);
@@ -326,7 +326,7 @@ void Submaps::note(map::SubmapId id) {
 
 void Submaps::reportAllChanged() {
   touched_.all = true;
-  for (const auto& [id, row] : store_.rows()) note(id);
+  for (const auto& [id, row] : store_.rows()) refreshRow(id);
 }
 
 void Submaps::notifyNow() {
@@ -411,7 +411,7 @@ void Submaps::setVisible(const std::vector<map::SubmapId>& ids, bool visible) {
     const submap::SubmapRow* row = store_.find(id);
     if (!row || row->visible == visible) continue;
     store_.setVisible(id, visible);
-    note(id);
+    refreshRow(id);
     changed.push_back(id);
   }
   if (changed.empty()) return;

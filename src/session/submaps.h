@@ -97,13 +97,13 @@ class Submaps : public QObject {
   void onAnswer(map::SubmapAnswer answer);
   void decode(map::SubmapAnswer answer);
   void onDecoded();
-  void take(Decoded decoded, submap::SubmapChange& change);
+  void addDecoded(Decoded decoded, submap::SubmapChange& change);
   /// It cannot be decoded.
   void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
   /// The store lost the picture: fetches it again.
   void lose(map::SubmapId id);
   /// Something about the submap has changed: its row, its place in the queue, the counters.
-  void note(map::SubmapId id);
+  void refreshRow(map::SubmapId id);
   void reportAllChanged();
   void notifyNow();
 

@@ -72,7 +72,7 @@ SubmapChange SubmapStore::apply(const ListDifference& list) {
   }
   // Every list counts that lists less than what is on screen, though it be the same as the one before.
   const std::map<map::SubmapId, int> ahead = ahead_;
-  for (const ListedEntry& listed : list.changed) take(listed, change);
+  for (const ListedEntry& listed : list.changed) applyListed(listed, change);
   for (const auto& [id, lists] : ahead) {
     const auto changed = std::lower_bound(change.listed.begin(), change.listed.end(), id);  // weighed already
     if (changed != change.listed.end() && *changed == id) continue;
@@ -106,7 +106,7 @@ void SubmapStore::countSlices(std::size_t before, std::size_t now) {
   if (--count->second == 0) with_slices_.erase(count);
 }
 
-void SubmapStore::take(const ListedEntry& listed, SubmapChange& change) {
+void SubmapStore::applyListed(const ListedEntry& listed, SubmapChange& change) {
   const map::SubmapEntry& entry = listed.entry;
   const FaultCode problem = listed.pose_problem;
   const bool usable = problem == FaultCode();

@@ -113,7 +113,7 @@ class SubmapStore {
   int maxSlices() const { return with_slices_.empty() ? 0 : int(with_slices_.rbegin()->first); }
 
  private:
-  void take(const ListedEntry& listed, SubmapChange& change);
+  void applyListed(const ListedEntry& listed, SubmapChange& change);
   /// Compares the listed version with the one on screen.
   void weighVersion(map::SubmapId id, SubmapRow& row, SubmapChange& change);
   void forget(Rows::iterator at);
