@@ -26,11 +26,11 @@ class TestProjectionDraft : public QObject {
   void whatTheRobotSaysIsTakenOverUnlessSomethingWasEdited() {
     ProjectionDraft draft;
     QVERIFY(!draft.changed());
-    QVERIFY(draft.tell({floorAt(0, 0)}));
+    QVERIFY(draft.setAnswer({floorAt(0, 0)}));
     QVERIFY(!draft.changed());
     draft.set(0, floorAt(1, 0));
     QVERIFY(draft.changed());
-    QVERIFY(!draft.tell({floorAt(7, 7), floorAt(8, 8)}));
+    QVERIFY(!draft.setAnswer({floorAt(7, 7), floorAt(8, 8)}));
     QCOMPARE(draft.wanted(), List{floorAt(1, 0)});
     draft.revert();
     QCOMPARE(draft.wanted().size(), std::size_t(2));
@@ -43,7 +43,7 @@ class TestProjectionDraft : public QObject {
 
   void anEmptyListIsAnEditToo() {
     ProjectionDraft draft;
-    draft.tell({floorAt(0, 0)});
+    draft.setAnswer({floorAt(0, 0)});
     draft.select(0);
     draft.removeSelected();
     QVERIFY(draft.changed());
@@ -57,7 +57,7 @@ class TestProjectionDraft : public QObject {
 
   void whatIsTakenOutLeavesTheNextOneChosen() {
     ProjectionDraft draft;
-    draft.tell({floorAt(0, 0), floorAt(1, 1), floorAt(2, 2)});
+    draft.setAnswer({floorAt(0, 0), floorAt(1, 1), floorAt(2, 2)});
     draft.select(1);
     draft.removeSelected();
     QCOMPARE(draft.selected(), std::optional(1));
@@ -81,7 +81,7 @@ class TestProjectionDraft : public QObject {
     one = floorAt(std::numeric_limits<double>::quiet_NaN(), 0);
     QVERIFY(map::flawOf(one) == ProjectionFlaw::NotFinite);
     ProjectionDraft draft;
-    draft.tell({floorAt(0, 0), one});
+    draft.setAnswer({floorAt(0, 0), one});
     QCOMPARE(draft.firstFlawed(), std::optional(1));
   }
 

@@ -164,12 +164,12 @@ class TestWindowRobot : public QObject {
 
   void countsMessagesAndTheirRates() {
     TopicLog log;
-    for (int i = 0; i < 50; ++i) log.note(raw("/a", QByteArray(100, 'x')), i * 100);
+    for (int i = 0; i < 50; ++i) log.record(raw("/a", QByteArray(100, 'x')), i * 100);
     QCOMPARE(log.find(QStringLiteral("/a"))->count, quint64(50));
     QCOMPARE(log.messagesPerSecond(QStringLiteral("/a"), 5'000), 9.8);  // the one at 0 is out of the span
     QCOMPARE(log.bytesPerSecond(QStringLiteral("/a"), 5'000), 980.0);
     QCOMPARE(log.messagesPerSecond(QStringLiteral("/a"), 20'000), 0.0);
-    log.note(raw("/b", "x"), 100);
+    log.record(raw("/b", "x"), 100);
     QCOMPARE(log.messagesPerSecond(QStringLiteral("/b"), 101), 1.0);  // not a thousand a second
   }
 
@@ -184,25 +184,25 @@ class TestWindowRobot : public QObject {
       return message;
     };
     log.beginRatesAnew(1'000'000);
-    for (int i = 0; i < 20; ++i) log.note(at(970'000), 970'000, TopicLog::Telling::Again);
+    for (int i = 0; i < 20; ++i) log.record(at(970'000), 970'000, TopicLog::Telling::Again);
     QCOMPARE(log.find(topic)->count, quint64(1));
     QVERIFY(!log.ratesKnown(topic, 1'000'000));
-    for (int i = 1; i <= 20; ++i) log.note(at(1'000'000 + i * 100), 1'000'000 + i * 100);
+    for (int i = 1; i <= 20; ++i) log.record(at(1'000'000 + i * 100), 1'000'000 + i * 100);
     QCOMPARE(log.find(topic)->count, quint64(21));
     QCOMPARE(log.messagesPerSecond(topic, 1'002'000), 10.0);
     QVERIFY(log.ratesKnown(topic, 1'002'000));
     log.beginRatesAnew(500'000);  // a jump back
-    log.note(at(499'950), 499'950, TopicLog::Telling::Again);
+    log.record(at(499'950), 499'950, TopicLog::Telling::Again);
     QVERIFY(!log.ratesKnown(topic, 500'000));
     QCOMPARE(log.messagesPerSecond(topic, 500'000), 0.0);
   }
 
   void staysBoundedWhateverComes() {
     TopicLog log;
-    for (int i = 0; i < 3'000; ++i) log.note(raw(qPrintable(QStringLiteral("/t%1").arg(i)), "x"), i);
+    for (int i = 0; i < 3'000; ++i) log.record(raw(qPrintable(QStringLiteral("/t%1").arg(i)), "x"), i);
     QCOMPARE(log.topics().size(), std::size_t(TopicLog::kMaxTopics));
     QCOMPARE(log.dropped(), quint64(2'500));
-    log.note(raw("/t1", QByteArray(2'000'000, 'x')), 0);
+    log.record(raw("/t1", QByteArray(2'000'000, 'x')), 0);
     QVERIFY(log.find(QStringLiteral("/t1"))->cut);
     QCOMPARE(log.find(QStringLiteral("/t1"))->text.size(), TopicLog::kMaxText);
     log.clear();

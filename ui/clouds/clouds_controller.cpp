@@ -219,15 +219,15 @@ void CloudsController::fetch(const std::optional<map::CloudRegion>& region) {
   dock_->setProgress(tr("Fetching…"));
   call_ = jobs::fetchCloud(*offered, kind, region, context_.workers,
                            [this, kind, region, asked = ++asked_](const auto& outcome) {
-                             if (asked == asked_) take(kind, region, outcome);
+                             if (asked == asked_) onAnswer(kind, region, outcome);
                            });
   call_.onProgress([this, asked = asked_](const robot::Progress& progress) {
     if (asked == asked_) dock_->setProgress(tr("Fetching… %1").arg(megabytesText(progress.bytes)));
   });
 }
 
-void CloudsController::take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
-                            const robot::Outcome<jobs::FetchedCloud>& outcome) {
+void CloudsController::onAnswer(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
+                                const robot::Outcome<jobs::FetchedCloud>& outcome) {
   call_ = {};
   dock_->setProgress({});
   if (!outcome) {

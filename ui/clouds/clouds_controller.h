@@ -37,8 +37,8 @@ class CloudsController : public Controller {
 
  private:
   void fetchBox(const geometry::WorldRect& box);
-  void take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
-            const robot::Outcome<jobs::FetchedCloud>& outcome);
+  void onAnswer(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
+                const robot::Outcome<jobs::FetchedCloud>& outcome);
   const scene::LayerStyle& style() const;
   robot::MapDispatch* dispatch() const;
   void refreshOffer();

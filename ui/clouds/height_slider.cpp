@@ -20,23 +20,23 @@ constexpr double kHandlePx = 6, kFootPx = 14;
 HeightSlider::HeightSlider(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  tell();
+  updateAccessibleText();
 }
 
 void HeightSlider::setHeights(const clouds::Heights& heights) {
   heights_ = heights;
   setEnabled(usable());
-  tell();
+  updateAccessibleText();
   update();
 }
 
 void HeightSlider::setRange(std::optional<clouds::HeightRange> range) {
   range_ = range;
-  tell();
+  updateAccessibleText();
   update();
 }
 
-void HeightSlider::tell() {
+void HeightSlider::updateAccessibleText() {
   setAccessibleName(tr("Visible heights"));
   const clouds::HeightRange now = shown();
   setAccessibleDescription(

@@ -44,7 +44,7 @@ class HeightSlider : public QWidget {
   clouds::HeightRange shown() const;
   double zAt(double x) const;
   void moveHandle(Handle handle, double z_m);
-  void tell();
+  void updateAccessibleText();
 
   clouds::Heights heights_;
   std::optional<clouds::HeightRange> range_;

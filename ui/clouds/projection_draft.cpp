@@ -17,7 +17,7 @@ void pull(double& low, double& high, bool moves_low, double step) {
 
 }  // namespace
 
-bool ProjectionDraft::tell(List told) {
+bool ProjectionDraft::setAnswer(List told) {
   const bool edited = changed();
   told_ = std::move(told);
   if (edited) return false;

@@ -14,7 +14,7 @@ class ProjectionDraft {
 
   /// The reported list. It replaces the draft unless that was edited: then revert() returns to it. True: it
   /// was replaced.
-  bool tell(List told);
+  bool setAnswer(List told);
   /// The robot's answer to the list that was sent: replaces the draft in any case.
   void settle(List told);
   void forget();

@@ -39,7 +39,7 @@ void ProjectionTool::setEditable(bool editable, bool takes) {
 
 void ProjectionTool::refresh() {
   if (grabbed_ && grabbed_->index >= int(draft_->wanted().size())) grabbed_->index = -1;
-  tell();
+  notifyChanged();
 }
 
 RectGrip ProjectionTool::gripOnChosen(const MapPoint& at) const {

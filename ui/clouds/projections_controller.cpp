@@ -232,17 +232,17 @@ void ProjectionsController::ask() {
   dock_->setBusy(true);
   call_ =
       offered->projections([this, asked = ++asked_](const robot::Outcome<ProjectionDraft::List>& outcome) {
-        if (asked == asked_) take(outcome);
+        if (asked == asked_) onAnswer(outcome);
       });
   refresh();
 }
 
-void ProjectionsController::take(const robot::Outcome<ProjectionDraft::List>& outcome) {
+void ProjectionsController::onAnswer(const robot::Outcome<ProjectionDraft::List>& outcome) {
   call_ = {};
   dock_->setBusy(false);
   if (!outcome) {
     dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);
-  } else if (!draft_.tell(*outcome)) {
+  } else if (!draft_.setAnswer(*outcome)) {
     dock_->setOutcome(tr("The robot has answered. Your edits are kept; Revert shows the robot's answer."),
                       false);
   } else if (const robot::MapDispatch* const offered = dispatch(); offered && !offered->silent().empty()) {

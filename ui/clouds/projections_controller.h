@@ -44,7 +44,7 @@ class ProjectionsController : public Controller {
   void followProjected(int index);
   void refresh();
   void askWhenSeen();
-  void take(const robot::Outcome<ProjectionDraft::List>& outcome);
+  void onAnswer(const robot::Outcome<ProjectionDraft::List>& outcome);
   void onSet(const ProjectionDraft::List& wanted, const robot::Outcome<ProjectionDraft::List>& outcome);
   void add(const geometry::WorldRect& rect);
   bool editable() const;

@@ -35,19 +35,19 @@ SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent
   connect(width_, &QDoubleSpinBox::valueChanged, this, &SectionDock::widthChosen);
   connect(fit, &QToolButton::clicked, view_, &SectionView::fit);
   connect(view_, &SectionView::readingChanged, this, [this] {
-    tell();
+    updateText();
     const auto& reading = view_->reading();
     Q_EMIT looksAt(reading ? std::optional(reading->at.x()) : std::nullopt);
   });
-  tell();
+  updateText();
 }
 
 void SectionDock::showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter) {
   view_->showSection(std::move(section), std::move(painter));
-  tell();
+  updateText();
 }
 
-void SectionDock::tell() {
+void SectionDock::updateText() {
   const auto& section = view_->section();
   if (!section) {
     told_->setText(tr("Choose Map > Section and drag a line over a cloud."));

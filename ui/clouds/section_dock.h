@@ -26,7 +26,7 @@ class SectionDock : public QDockWidget {
   void looksAt(std::optional<double> along_m);
 
  private:
-  void tell();
+  void updateText();
   SectionView* view_;
   QDoubleSpinBox* width_;
   PlainLabel* told_;

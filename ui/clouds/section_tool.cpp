@@ -42,7 +42,7 @@ void SectionTool::forget() {
   if (!line_) return;
   line_.reset();
   mark_.reset();
-  tell();
+  notifyChanged();
   Q_EMIT lineGone();
 }
 

@@ -14,7 +14,7 @@ namespace {
 void collect(QWidget* widget, std::vector<QWidget*>& stops);
 
 void collect(QLayout* layout, std::vector<QWidget*>& stops) {
-  const auto take = [&](QLayoutItem* item) {
+  const auto collectItem = [&](QLayoutItem* item) {
     if (!item) return;
     if (item->widget()) collect(item->widget(), stops);
     if (item->layout()) collect(item->layout(), stops);
@@ -26,12 +26,12 @@ void collect(QLayout* layout, std::vector<QWidget*>& stops) {
         // Which may span several cells.
         int its_row = 0, its_column = 0, rows = 0, columns = 0;
         if (item) grid->getItemPosition(grid->indexOf(item), &its_row, &its_column, &rows, &columns);
-        if (its_row == row && its_column == column) take(item);
+        if (its_row == row && its_column == column) collectItem(item);
       }
     }
     return;
   }
-  for (int i = 0; i < layout->count(); ++i) take(layout->itemAt(i));
+  for (int i = 0; i < layout->count(); ++i) collectItem(layout->itemAt(i));
 }
 
 void collect(QWidget* widget, std::vector<QWidget*>& stops) {

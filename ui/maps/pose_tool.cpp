@@ -10,7 +10,7 @@ namespace mapwright::window {
 void PoseTool::setPose(const std::optional<geometry::Pose2>& pose) {
   if (pose == pose_) return;
   pose_ = pose;
-  tell();
+  notifyChanged();
 }
 
 bool PoseTool::grab(const MapPoint&) {

@@ -14,7 +14,7 @@ void ReferenceTool::setPairing(bool pairing) {
   if (pairing == pairing_) return;
   pairing_ = pairing;
   first_m_.reset();
-  tell();
+  notifyChanged();
 }
 
 void ReferenceTool::deactivate() {

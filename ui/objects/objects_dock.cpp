@@ -99,7 +99,7 @@ void ObjectsDock::setObjects(std::vector<scene::MapObject> objects, bool more) {
   const auto id = current.isValid() ? std::optional(model_->object(current.row()).id) : std::nullopt;
   {
     const QScopedValueRollback quiet(pointing_, true);
-    model_->take(std::move(objects));
+    model_->setObjects(std::move(objects));
   }
   more_ = more;
   columns_->fit();

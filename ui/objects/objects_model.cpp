@@ -13,7 +13,7 @@ namespace {
 constexpr int kRowSymbolPx = 16;
 }
 
-void ObjectsModel::take(std::vector<scene::MapObject> objects) {
+void ObjectsModel::setObjects(std::vector<scene::MapObject> objects) {
   const bool same =
       std::equal(objects.begin(), objects.end(), objects_.begin(), objects_.end(),
                  [](const scene::MapObject& a, const scene::MapObject& b) { return a.id.sameAs(b.id); });

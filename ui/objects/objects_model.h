@@ -16,7 +16,7 @@ class ObjectsModel : public QAbstractTableModel {
 
   explicit ObjectsModel(const scene::MapScene& scene, QObject* parent = nullptr)
       : QAbstractTableModel(parent), scene_(scene) {}
-  void take(std::vector<scene::MapObject> objects);
+  void setObjects(std::vector<scene::MapObject> objects);
   const scene::MapObject& object(int row) const { return objects_[std::size_t(row)]; }
   /// -1 = not listed.
   int rowOf(const scene::ObjectId& id) const;

@@ -50,7 +50,7 @@ void OverlayDraw::deactivate() {
 void OverlayDraw::forget() {
   corners_.clear();
   landing_ = {};
-  tell();
+  notifyChanged();
 }
 
 Vector2d OverlayDraw::caught(const MapPoint& at) {
@@ -62,7 +62,7 @@ Vector2d OverlayDraw::caught(const MapPoint& at) {
 void OverlayDraw::hovered(const MapPoint& at) {
   hand_ = at.world_m;
   if (editing_->editable()) follow(at);
-  tell();
+  notifyChanged();
 }
 
 void OverlayDraw::left() {
@@ -80,7 +80,7 @@ void OverlayDraw::addCorner(const Vector2d& at_m) {
   if (!editing_->editable()) return;
   corners_.push_back(at_m);
   if (corners_.size() == wholeAt()) complete();
-  tell();
+  notifyChanged();
 }
 
 QString OverlayDraw::tooFew() const {
@@ -104,7 +104,7 @@ void OverlayDraw::complete() {
   } else {
     Q_EMIT refused(tooFew());
   }
-  tell();
+  notifyChanged();
 }
 
 bool OverlayDraw::stepBack() {
@@ -124,7 +124,7 @@ bool OverlayDraw::keyPressed(const MapKeyPress& press) {
       if (hold()) return true;
       if (corners_.empty()) return false;
       corners_.pop_back();
-      tell();
+      notifyChanged();
       return true;
     default:
       return DragTool::keyPressed(press);
@@ -197,7 +197,7 @@ QString OverlayDrawRectangle::hint() const {
 
 void OverlayDrawCircle::setRadius(double metres) {
   radius_m_ = metres;
-  tell();
+  notifyChanged();
 }
 
 double OverlayDrawCircle::radiusOf(const Corners& corners) const {

@@ -363,7 +363,7 @@ OverlayPoints::OverlayPoints(OverlayEditing* editing, QWidget* parent)
        {&OverlayEditing::changed, &OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayPoints::refresh);
   connect(table_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
-    if (!refreshing_) take(row, changed);
+    if (!refreshing_) onCellChanged(row, changed);
   });
   refresh();
 }
@@ -403,7 +403,7 @@ void OverlayPoints::refresh() {
   refreshing_ = false;
 }
 
-void OverlayPoints::take(int row, int column) {
+void OverlayPoints::onCellChanged(int row, int column) {
   const Feature* const now = shown_ ? editing_->find(*shown_) : nullptr;
   if (!now || std::size_t(row) >= vertices_.size()) return;
   const overlays::Vertex vertex = vertices_[std::size_t(row)];

@@ -72,7 +72,7 @@ class OverlayPoints : public QWidget {
 
  private:
   void refresh();
-  void take(int row, int column);
+  void onCellChanged(int row, int column);
 
   OverlayEditing* editing_;
   QLabel* about_;

@@ -47,11 +47,11 @@ void OverlayHistory::keep(history::MapName map, std::optional<int> version, hist
     const std::optional<Fault> why =
         store ? store->keep(map, version, origin, text, now_s) : std::optional(store.error());
     QMetaObject::invokeMethod(
-        this, [this, why] { note(why); }, Qt::QueuedConnection);
+        this, [this, why] { setTrouble(why); }, Qt::QueuedConnection);
   });
 }
 
-void OverlayHistory::note(const std::optional<Fault>& why) {
+void OverlayHistory::setTrouble(const std::optional<Fault>& why) {
   const Fault now = why.value_or(Fault());
   if (now != trouble_) {
     trouble_ = now;

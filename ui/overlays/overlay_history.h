@@ -43,7 +43,7 @@ class OverlayHistory : public QObject {
  private:
   struct Queue;
   void post(std::function<void()> job);
-  void note(const std::optional<Fault>& why);
+  void setTrouble(const std::optional<Fault>& why);
 
   std::string path_;
   Fault trouble_;

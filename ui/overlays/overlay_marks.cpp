@@ -127,7 +127,7 @@ class OverlayMarks::Item : public QGraphicsItem {
     setAcceptedMouseButtons(Qt::NoButton);
     hide();
   }
-  void take(std::vector<OverlayMark> marks) {
+  void setMarks(std::vector<OverlayMark> marks) {
     prepareGeometryChange();
     marks_ = std::move(marks);
     setVisible(!marks_.empty());
@@ -199,7 +199,7 @@ OverlayMarks::~OverlayMarks() = default;  // it leaves the scene
 
 void OverlayMarks::show(std::vector<OverlayMark> marks) {
   if (marks.empty() && item_->marks().empty()) return;
-  item_->take(std::move(marks));
+  item_->setMarks(std::move(marks));
 }
 
 const std::vector<OverlayMark>& OverlayMarks::shown() const { return item_->marks(); }

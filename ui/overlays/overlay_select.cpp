@@ -65,7 +65,7 @@ void OverlaySelect::lookAnew() {
     const Rings& now = rings();
     if (vertex_->ring >= now.size() || vertex_->index >= now[vertex_->ring].size()) dropVertex();
   }
-  tell();
+  notifyChanged();
 }
 
 void OverlaySelect::dropVertex() {

@@ -53,7 +53,7 @@ void OverlayTool::setMode(OverlayMode mode) {
   hand().deactivate();
   mode_ = mode;
   Q_EMIT modeChanged();
-  tell();
+  notifyChanged();
 }
 
 void OverlayTool::setNewType(Shape shape, int type) {

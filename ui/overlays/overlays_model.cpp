@@ -19,13 +19,13 @@ using State = overlays::EditingDocument::State;
 
 OverlaysModel::OverlaysModel(OverlayEditing* editing, QObject* parent)
     : QAbstractTableModel(parent), editing_(editing) {
-  connect(editing_, &OverlayEditing::changed, this, &OverlaysModel::take);
+  connect(editing_, &OverlayEditing::changed, this, &OverlaysModel::onEditingChanged);
 }
 
 void OverlaysModel::setFlawed(std::set<FeatureKey> keys) {
   if (keys == flawed_) return;
   flawed_ = std::move(keys);
-  take();
+  onEditingChanged();
 }
 
 OverlaysModel::Row OverlaysModel::rowOf(FeatureKey key, const Row* before) const {
@@ -44,7 +44,7 @@ OverlaysModel::Row OverlaysModel::rowOf(FeatureKey key, const Row* before) const
   return row;
 }
 
-void OverlaysModel::take() {
+void OverlaysModel::onEditingChanged() {
   const auto& document = editing_->document();
   conflicting_.clear();
   for (const auto& conflict : document.conflicts()) conflicting_.insert(conflict.first);

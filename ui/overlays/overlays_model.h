@@ -41,7 +41,7 @@ class OverlaysModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  void take();
+  void onEditingChanged();
   int bits(FeatureKey key) const;
   QString stateText(FeatureKey key) const;
   /// As it is, or as the robot holds it when it was deleted here.

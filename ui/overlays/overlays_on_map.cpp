@@ -21,7 +21,7 @@ void OverlaysOnMap::setMap(const map::MapKey& map, bool robots) {
   draw();
 }
 
-bool OverlaysOnMap::take(FeatureKey key) {
+bool OverlaysOnMap::updateDrawn(FeatureKey key) {
   Drawn& drawn = drawn_[key];
   const Feature* const feature = editing_->find(key);
   // Features never change: it is the same text or another feature.
@@ -44,7 +44,7 @@ void OverlaysOnMap::draw() {
   all_.features.reserve(drawn_.size());
   keys_.reserve(drawn_.size());
   for (FeatureKey key = 0; key < drawn_.size(); ++key) {
-    take(key);
+    updateDrawn(key);
     drawn_[key].first = keys_.size();
     for (const map::OverlayFeature& part : drawn_[key].parts) {
       all_.features.push_back(part);
@@ -60,7 +60,7 @@ void OverlaysOnMap::drawLifted() {
   std::set<FeatureKey> keys;
   for (const auto& [key, feature] : editing_->preview()) keys.insert(keys.end(), key);
   for (const FeatureKey key : keys) {
-    if (!take(key)) return draw();
+    if (!updateDrawn(key)) return draw();
   }
   if (lifted_ && keys == of_preview_) return;
   if (!of_preview_.empty()) return draw();
@@ -83,7 +83,7 @@ void OverlaysOnMap::drawPreview() {
   keys.insert(of_preview_.begin(), of_preview_.end());
   if (!open) return draw();
   for (const FeatureKey key : keys) {
-    if (!take(key)) return draw();
+    if (!updateDrawn(key)) return draw();
     std::copy(drawn_[key].parts.begin(), drawn_[key].parts.end(),
               all_.features.begin() + std::ptrdiff_t(drawn_[key].first));
   }

@@ -43,7 +43,7 @@ class OverlaysOnMap : public QObject {
   };
   void draw();
   /// False: it has another number of parts now.
-  bool take(FeatureKey key);
+  bool updateDrawn(FeatureKey key);
   void drawPreview();
   void drawLifted();
 

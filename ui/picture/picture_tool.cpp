@@ -35,7 +35,7 @@ BecomesLook becomesLook(picture::Kind kind) {
 
 PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent)
     : DragTool(scene, parent), editing_(editing) {
-  connect(editing_, &PictureEditing::stateChanged, this, [this] { tell(); });
+  connect(editing_, &PictureEditing::stateChanged, this, [this] { notifyChanged(); });
   connect(editing_, &PictureEditing::tooLarge, this, [this] {
     Q_EMIT refused(
         tr("This area is too large to change at once. Draw lines to divide it, then change the parts."));
@@ -48,7 +48,7 @@ void PictureTool::setMode(PaintMode mode) {
   corners_.clear();
   mode_ = mode;
   Q_EMIT modeChanged();
-  tell();
+  notifyChanged();
 }
 
 void PictureTool::activate() { Q_EMIT activated(); }

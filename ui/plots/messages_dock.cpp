@@ -235,8 +235,8 @@ void MessagesDock::setSession(session::Session* session) {
       });
     connect(&session->robot(), &robot::Robot::rawReceived, this, [this](const robot::RawMessage& message) {
       if (!watching_) return;
-      log_.note(message, replayOf(session_) ? message.received.toMSecsSinceEpoch() : now(),
-                retelling_ ? TopicLog::Telling::Again : TopicLog::Telling::New);
+      log_.record(message, replayOf(session_) ? message.received.toMSecsSinceEpoch() : now(),
+                  retelling_ ? TopicLog::Telling::Again : TopicLog::Telling::New);
       if (dirty_) return;
       dirty_ = true;
       refresh_timer_.start(kMessagesRefreshMs);

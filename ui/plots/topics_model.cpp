@@ -14,7 +14,7 @@ namespace {
 constexpr qint64 kShortestSpanMs = 1'000;  // a single message just now does not mean a thousand per second
 }  // namespace
 
-void TopicLog::note(const robot::RawMessage& message, qint64 now_ms, Telling telling) {
+void TopicLog::record(const robot::RawMessage& message, qint64 now_ms, Telling telling) {
   auto found = topics_.find(message.topic);
   if (found == topics_.end()) {
     if (topics_.size() >= std::size_t(kMaxTopics)) {

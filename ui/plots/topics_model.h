@@ -39,7 +39,7 @@ class TopicLog {
   };
   /// `now_ms` is monotonic. For a recording it is the time of the message; after a jump call
   /// beginRatesAnew().
-  void note(const robot::RawMessage& message, qint64 now_ms, Telling telling = Telling::New);
+  void record(const robot::RawMessage& message, qint64 now_ms, Telling telling = Telling::New);
   /// The messages and rates are those of a recording.
   void setRecorded(bool recorded) { recorded_ = recorded; }
   /// Messages before this do not count for the rates of a recording.

@@ -33,7 +33,7 @@ KeptSecrets::Choice KeptSecrets::choiceFor(const QString& server) const {
                                            : Choice::None;
 }
 
-void KeptSecrets::note(const QString& server, Choice choice) {
+void KeptSecrets::saveChoice(const QString& server, Choice choice) {
   if (choice == Choice::None) return settings_.remove(choiceKey(server));
   settings_.setValue(choiceKey(server),
                      choice == Choice::Kept ? QStringLiteral("kept") : QStringLiteral("never"));
@@ -62,18 +62,18 @@ void KeptSecrets::keep(const QString& address, const QByteArray& secret, keyring
   const QString server = serverOf(address);
   ring_->write(server, secret,
                guarded([this, server, reply = std::move(reply)](keyring::KeyRingAnswer answer) {
-                 if (!answer.reason.any()) note(server, Choice::Kept);
+                 if (!answer.reason.any()) saveChoice(server, Choice::Kept);
                  reply(std::move(answer));
                }));
 }
 
-void KeptSecrets::neverAsk(const QString& address) { note(serverOf(address), Choice::Never); }
+void KeptSecrets::neverAsk(const QString& address) { saveChoice(serverOf(address), Choice::Never); }
 
 void KeptSecrets::forget(const QString& address, keyring::KeyRing::Reply reply) {
   const QString server = serverOf(address);
   if (server.isEmpty()) return;
   const bool in_ring = ring_ && choiceFor(server) == Choice::Kept;
-  note(server, Choice::None);
+  saveChoice(server, Choice::None);
   if (in_ring) ring_->remove(server, guarded(std::move(reply)));
 }
 

@@ -37,7 +37,7 @@ class KeptSecrets : public QObject {
   /// "http://192.0.2.7:8090"; empty: it belongs to no server.
   QString serverOf(const QString& address) const;
   Choice choiceFor(const QString& server) const;
-  void note(const QString& server, Choice choice);
+  void saveChoice(const QString& server, Choice choice);
   keyring::KeyRing::Reply guarded(keyring::KeyRing::Reply reply);
 
   QSettings& settings_;

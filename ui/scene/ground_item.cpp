@@ -23,7 +23,7 @@ bool GroundItem::holds(const LayerItem* layer) const {
   return std::find(layers_.begin(), layers_.end(), layer) != layers_.end();
 }
 
-void GroundItem::take(std::vector<LayerItem*> layers) {
+void GroundItem::setLayers(std::vector<LayerItem*> layers) {
   if (layers == layers_) return;
   for (LayerItem* layer : layers_) layer->setFlag(ItemHasNoContents, false);
   layers_ = std::move(layers);

@@ -22,7 +22,7 @@ class GroundItem : public QGraphicsItem {
   explicit GroundItem(const LayerContext& context);
 
   /// The layers that it draws, bottom first; all others draw themselves.
-  void take(std::vector<LayerItem*> layers);
+  void setLayers(std::vector<LayerItem*> layers);
   bool holds(const LayerItem* layer) const;
   /// They look different in this part of the viewport.
   void changed(const QRectF& rect);

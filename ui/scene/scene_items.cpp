@@ -272,7 +272,7 @@ void SceneItems::layGround() {
     return std::find(above.begin(), above.end(), item) != above.end();
   });
   layers.erase(first, layers.end());
-  ground_->take(std::move(layers));
+  ground_->setLayers(std::move(layers));
 }
 
 void SceneItems::stack() {
@@ -383,7 +383,8 @@ bool SceneItems::placeRobot(session::Session* session) {
 }
 
 void SceneItems::updateWaypoints(const session::Session* session) {
-  const auto take = [this, session](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
+  const auto fillWaypoints = [this, session](const session::MapSlot& slot, bool on_screen,
+                                             MapFeatures& features) {
     features.waypoints.clear();
     if (!on_screen) return;
     // Edited ones need no picture below them.
@@ -397,8 +398,8 @@ void SceneItems::updateWaypoints(const session::Session* session) {
   context.of(FeaturesOf::WholeMap).waypoints.clear();
   context.of(FeaturesOf::ComparedMap).waypoints.clear();
   if (!session) return;
-  take(session->wholeMap(), onScreen().whole, context.of(FeaturesOf::WholeMap));
-  take(session->comparedMap(), onScreen().compared, context.of(FeaturesOf::ComparedMap));
+  fillWaypoints(session->wholeMap(), onScreen().whole, context.of(FeaturesOf::WholeMap));
+  fillWaypoints(session->comparedMap(), onScreen().compared, context.of(FeaturesOf::ComparedMap));
 }
 
 bool SceneItems::opened(const session::Session& session) const {
@@ -415,12 +416,13 @@ bool SceneItems::showsRobotsOverlays(const session::Session& session) const {
 void SceneItems::updateOverlays(const session::Session* session) {
   overlays_edited.clear();
   if (!session || !edited_overlays) return;
-  const auto take = [this](FeaturesOf of) {
+  const auto setEdited = [this](FeaturesOf of) {
     overlays_edited.insert(of);
     context.of(of).overlays = edited_overlays->features;
   };
-  if (opened(*session) && session->wholeMap().shown().key == edited_overlays->map) take(FeaturesOf::WholeMap);
-  if (edited_overlays->robots && showsRobotsOverlays(*session)) take(FeaturesOf::Robot);
+  if (opened(*session) && session->wholeMap().shown().key == edited_overlays->map)
+    setEdited(FeaturesOf::WholeMap);
+  if (edited_overlays->robots && showsRobotsOverlays(*session)) setEdited(FeaturesOf::Robot);
 }
 
 void SceneItems::setFeatures(const session::Session* session) {
@@ -428,7 +430,7 @@ void SceneItems::setFeatures(const session::Session* session) {
   updateWaypoints(session);
   if (!session) return;
   const MapsOnScreen on_screen = onScreen();
-  const auto take = [](const session::MapSlot& slot, MapFeatures& features) {
+  const auto copyFeatures = [](const session::MapSlot& slot, MapFeatures& features) {
     if (!slot.cells() || slot.shown().key.kind == map::MapKind::Live) return;
     features.overlays = slot.shown().overlays;
     features.broken_overlays = slot.shown().broken_overlays;
@@ -436,8 +438,8 @@ void SceneItems::setFeatures(const session::Session* session) {
     for (const auto& landmark : slot.shown().landmarks)
       features.landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
   };
-  if (on_screen.whole) take(session->wholeMap(), context.of(FeaturesOf::WholeMap));
-  if (on_screen.compared) take(session->comparedMap(), context.of(FeaturesOf::ComparedMap));
+  if (on_screen.whole) copyFeatures(session->wholeMap(), context.of(FeaturesOf::WholeMap));
+  if (on_screen.compared) copyFeatures(session->comparedMap(), context.of(FeaturesOf::ComparedMap));
   if (on_screen.whole) context.of(FeaturesOf::WholeMap).trouble = troubleOf(*session, session->wholeMap());
   if (on_screen.compared)
     context.of(FeaturesOf::ComparedMap).trouble = troubleOf(*session, session->comparedMap());

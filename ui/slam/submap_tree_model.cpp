@@ -101,7 +101,7 @@ void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
   if (others > kManyOthers) return sync();
   std::vector<int> touched;   // rows of branches
   int first = -1, last = -1;  // adjacent changed leaves, of touched.back()
-  const auto tell = [&] {
+  const auto emitChanged = [&] {
     if (first < 0) return;
     const quintptr id = leafId(branches_[std::size_t(touched.back())].trajectory);
     Q_EMIT dataChanged(createIndex(first, 0, id), createIndex(last, kColumns - 1, id));
@@ -118,7 +118,7 @@ void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
     const SubmapFacts fresh = row ? factsOf(*session_, id, *row) : SubmapFacts{};
     if (!row && !known) continue;
     if (row && known && *leaf == fresh) continue;
-    if (first >= 0 && (!row || !known || at != last + 1 || touched.back() != branch_row)) tell();
+    if (first >= 0 && (!row || !known || at != last + 1 || touched.back() != branch_row)) emitChanged();
     if (touched.empty() || touched.back() != branch_row) touched.push_back(branch_row);
     if (known) count(branch, *leaf, -1);
     if (row) {
@@ -139,7 +139,7 @@ void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
       last = at;
     }
   }
-  tell();
+  emitChanged();
   if (touched.empty()) return;
   const auto emptied = [this](int row) { return branches_[std::size_t(row)].leaves.empty(); };
   if (std::any_of(touched.begin(), touched.end(), emptied)) return sync();

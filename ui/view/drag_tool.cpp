@@ -31,7 +31,7 @@ void DragTool::dragged(const MapPoint& at) {
   hold_->to = at;
   hold_->moved = true;
   update(at);
-  tell();
+  notifyChanged();
 }
 
 void DragTool::released(const MapPoint& at) {
@@ -39,18 +39,18 @@ void DragTool::released(const MapPoint& at) {
   dragged(at);
   if (hold_) finish(at);  // unless the last move ended it
   hold_.reset();
-  tell();
+  notifyChanged();
 }
 
 void DragTool::dragCancelled() {
   if (std::exchange(hold_, std::nullopt)) cancel();
-  tell();
+  notifyChanged();
 }
 
 void DragTool::clicked(const MapPoint& at) {
   click(at);
   hold_.reset();
-  tell();
+  notifyChanged();
 }
 
 bool DragTool::keyPressed(const MapKeyPress& press) {
@@ -58,7 +58,7 @@ bool DragTool::keyPressed(const MapKeyPress& press) {
   if (hold_) {
     dragCancelled();
   } else if (stepBack()) {
-    tell();
+    notifyChanged();
   } else {
     leave();
   }

@@ -75,7 +75,7 @@ class MapTool : public QObject {
 
  protected:
   /// What it paints and its hint are others now.
-  void tell() {
+  void notifyChanged() {
     Q_EMIT changed();
     Q_EMIT hintChanged();
   }

@@ -30,7 +30,7 @@ void LineTool::forget() {
 void LineTool::setSpacing(double spacing_m) {
   const double fit = std::clamp(spacing_m, kLeastSpacingM, kMostSpacingM);
   if (std::exchange(spacing_m_, fit) == fit) return;
-  tell();
+  notifyChanged();
   Q_EMIT lineChanged();
 }
 

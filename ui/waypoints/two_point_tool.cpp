@@ -22,7 +22,7 @@ void TwoPointTool::forget() {
   line_.reset();
   ended_ = begins_ = false;
   landing_ = {};
-  tell();
+  notifyChanged();
 }
 
 Eigen::Vector2d TwoPointTool::caught(const MapPoint& at) {
@@ -42,7 +42,7 @@ bool TwoPointTool::grab(const MapPoint& at) {
   const Eigen::Vector2d from = caught(at);
   line_ = Line{from, from};
   lineMoved();
-  tell();
+  notifyChanged();
   return true;
 }
 
@@ -74,7 +74,7 @@ void TwoPointTool::hovered(const MapPoint& at) {
   if (ended_) return;
   if (line_) {
     follow(at);
-    tell();
+    notifyChanged();
   } else {
     caught(at);
     Q_EMIT changed();

@@ -28,7 +28,7 @@ WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scen
     : DragTool(scene, parent), editing_(editing), hits_(hits), snapping_(snapping) {
   const auto look_anew = [this] {
     group_.reset();
-    tell();
+    notifyChanged();
   };
   connect(editing, &WaypointEditing::selectionChanged, this, look_anew);
   connect(editing, &WaypointEditing::previewChanged, this, look_anew);
