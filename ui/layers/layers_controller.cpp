@@ -206,7 +206,7 @@ void LayersController::recall(const QSettings& settings) {
   sync();
 }
 
-void LayersController::note(QSettings& settings) {
+void LayersController::save(QSettings& settings) {
   settings.setValue(QStringLiteral("view/colors"), colorModeName(context_.scene.colorMode()));
   dock_->saveFolds(settings);
   // Both are taken back, and would have to be now.
@@ -214,7 +214,7 @@ void LayersController::note(QSettings& settings) {
 }
 
 void LayersController::remember(QSettings& settings) {
-  note(settings);
+  save(settings);
   dock_->endSolo();  // nobody could end it at the next start
   // A robot without submaps must not determine what the next one shows.
   const bool forced = mode_before_.has_value();

@@ -30,7 +30,7 @@ class LayersController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   /// While the window is used.
-  void note(QSettings& settings);
+  void save(QSettings& settings);
   void reset() override;
 
  Q_SIGNALS:

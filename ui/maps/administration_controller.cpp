@@ -314,14 +314,14 @@ void ChangeDialog::send() {
     if (field) field->setEnabled(false);
   call_.emplace();  // before the request: nothing is sent twice
   *call_ = ask_(order, [self = QPointer<ChangeDialog>(this)](const Outcome& outcome) {
-    if (self) self->take(outcome);
+    if (self) self->onOutcome(outcome);
   });
   check();
   setTextColor(*error_, appColors().secondary_text);
   error_->setText(tr("Waiting for the robot…"));
 }
 
-void ChangeDialog::take(const Outcome& outcome) {
+void ChangeDialog::onOutcome(const Outcome& outcome) {
   call_.reset();
   for (QWidget* field :
        {static_cast<QWidget*>(name_), static_cast<QWidget*>(typed_), static_cast<QWidget*>(places_)})

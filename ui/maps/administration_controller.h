@@ -74,7 +74,7 @@ class ChangeDialog : public QDialog {
   QString unavailableReason() const;
   std::string place() const;
   void send();
-  void take(const Outcome& outcome);
+  void onOutcome(const Outcome& outcome);
 
   ChangeQuestion question_;
   Ask ask_;

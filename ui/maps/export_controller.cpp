@@ -164,7 +164,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
   connect(&job_, &jobs::ExportJob::progressed, this,
           [this](double done) { progress_->setValue(int(done * 1000)); });
-  connect(&job_, &jobs::ExportJob::finished, this, &ExportDialog::take);
+  connect(&job_, &jobs::ExportJob::finished, this, &ExportDialog::onFinished);
   sync();
 }
 
@@ -322,7 +322,7 @@ void ExportDialog::setRunning(bool running) {
   path_->setText(path);
 }
 
-void ExportDialog::take(const jobs::ExportResult& result) {
+void ExportDialog::onFinished(const jobs::ExportResult& result) {
   setRunning(false);
   if (result.cancelled) {
     error_->setText(tr("Cancelled. Nothing was written."));

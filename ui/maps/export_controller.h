@@ -80,7 +80,7 @@ class ExportDialog : public QDialog {
   QString describeContent() const;
   void sync();
   void browse();
-  void take(const jobs::ExportResult& result);
+  void onFinished(const jobs::ExportResult& result);
   void setRunning(bool running);
 
   ExportOffer offer_;

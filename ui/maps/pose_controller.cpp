@@ -59,8 +59,8 @@ PoseController::PoseController(WindowContext& context, QObject* parent)
     if (on) context_.panels.open(dock_);
   });
   connect(tool_, &MapTool::finished, this, [this] { useTool(false); });
-  connect(tool_, &PoseTool::placed, this, &PoseController::take);
-  connect(tool_, &PoseTool::takenBack, this, &PoseController::take);
+  connect(tool_, &PoseTool::placed, this, &PoseController::setPose);
+  connect(tool_, &PoseTool::takenBack, this, &PoseController::setPose);
   connect(dock_, &PoseDock::placeWanted, this, &PoseController::useTool);
   connect(dock_, &PoseDock::typed, this, [this](const geometry::Pose2& pose) {
     pose_ = pose;
@@ -87,7 +87,7 @@ robot::Localization* PoseController::localization() const {
 void PoseController::setSession(session::Session* session) {
   call_ = {};
   proposed_.reset();
-  take(std::nullopt);
+  setPose(std::nullopt);
   dock_->forgetOutcome();
   if (session) {
     connect(session, &session::Session::liveChanged, this, [this](int what) {
@@ -120,7 +120,7 @@ void PoseController::refresh() {
   dock_->setPresent(session ? session->live().robot_pose : std::nullopt);
 }
 
-void PoseController::take(const std::optional<geometry::Pose2>& pose) {
+void PoseController::setPose(const std::optional<geometry::Pose2>& pose) {
   pose_ = pose;
   tool_->setPose(pose);
   dock_->setPose(pose);
@@ -150,7 +150,7 @@ void PoseController::set(const geometry::Pose2& pose, bool adjust) {
     dock_->setOutcome(said, as_asked ? PoseDock::Outcome::Well : PoseDock::Outcome::Odd);
     if (!as_asked) return;
     context_.overlay.toasts()->add(Mark::Good, said);
-    take(std::nullopt);
+    setPose(std::nullopt);
     useTool(false);
   });
 }
@@ -168,7 +168,7 @@ void PoseController::find() {
                       asks);
     if (!asks) return;
     proposed_ = found->pose;
-    take(found->pose);
+    setPose(found->pose);
     useTool(true);  // draws it
   });
 }

@@ -31,7 +31,7 @@ class PoseController : public Controller {
 
  private:
   robot::Localization* localization() const;
-  void take(const std::optional<geometry::Pose2>& pose);
+  void setPose(const std::optional<geometry::Pose2>& pose);
   void useTool(bool on);
   void set(const geometry::Pose2& pose, bool adjust);
   void find();

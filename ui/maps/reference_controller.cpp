@@ -60,8 +60,8 @@ class ReferenceController::Step : public QUndoCommand {
         before_(reference.laid_),
         after_(std::move(after)),
         drag_(drag) {}
-  void undo() override { reference_.take(before_); }
-  void redo() override { reference_.take(after_); }
+  void undo() override { reference_.setLaid(before_); }
+  void redo() override { reference_.setLaid(after_); }
   int id() const override { return drag_ > 0 ? drag_ : -1; }
   bool mergeWith(const QUndoCommand* later) override {
     after_ = static_cast<const Step*>(later)->after_;
@@ -222,7 +222,7 @@ void ReferenceController::lay(const QString& address) {
   coming_ = std::move(*reader);
   coming_->connectToRobot();
   source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
-    if (!answer) return tell(answer.error());
+    if (!answer) return showFailure(answer.error());
     onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
     address_ = address;
     reader_ = std::move(coming_);
@@ -232,7 +232,7 @@ void ReferenceController::lay(const QString& address) {
   });
 }
 
-void ReferenceController::tell(const map::Failure& failure) {
+void ReferenceController::showFailure(const map::Failure& failure) {
   const QString sentence = QString::fromStdString(sentences::sentenceOf(failure));
   context_.overlay.toasts()->add(Mark::Bad, tr("The reference map: %1").arg(sentence));
 }
@@ -280,7 +280,7 @@ void ReferenceController::load(const QString& address) {
   source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
     if (address != address_) return;
     if (answer) return slot_.show(std::move(*answer));
-    tell(answer.error());
+    showFailure(answer.error());
     slot_.clear();
     // It stays remembered: a folder that is away today may be there tomorrow.
     address_.clear();
@@ -317,7 +317,7 @@ void ReferenceController::show() {
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
 }
 
-void ReferenceController::take(Laid laid) {
+void ReferenceController::setLaid(Laid laid) {
   laid_ = std::move(laid);
   show();
   remember();

@@ -56,7 +56,7 @@ class ReferenceController : public Controller {
   /// One step that can be undone. `drag`: steps with the same number are one; 0 = a step of its own.
   void change(const QString& what, Laid laid, int drag = 0);
   void setPairs(const QString& what, std::vector<placing::PointPair> pairs);
-  void take(Laid laid);
+  void setLaid(Laid laid);
   void forgetSteps();
   void useTool(bool on, bool pairing);
   void load(const QString& address);
@@ -67,7 +67,7 @@ class ReferenceController : public Controller {
   void remember();
   QJsonObject kept() const;  // what is remembered for this place
   void onLaid(const QJsonObject& laid);
-  void tell(const map::Failure& failure);
+  void showFailure(const map::Failure& failure);
 
   WindowContext& context_;
   PicturePlacing& placing_;

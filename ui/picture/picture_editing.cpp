@@ -149,7 +149,7 @@ void PictureEditing::endStroke() {
   step.of_saved = stroke_of_saved_ == saved_number_ ? saved_number_ : 0;
   count_.set(step.after);
   recountConflicts();
-  note(std::move(step), erasing_ ? tr("eraser") : tr("brush"));
+  recordStep(std::move(step), erasing_ ? tr("eraser") : tr("brush"));
   Q_EMIT stateChanged();
 }
 
@@ -313,11 +313,11 @@ void PictureEditing::push(PictureStep step, const QString& text) {
   if (step.patch.empty()) return;
   endStroke();  // its effect is on the grid that this was made for
   exchange(step, true);
-  note(std::move(step), text);
+  recordStep(std::move(step), text);
 }
 
 /// Already applied to the grid.
-void PictureEditing::note(PictureStep step, const QString& text) {
+void PictureEditing::recordStep(PictureStep step, const QString& text) {
   undo_.push(new Command(*this, std::move(step), text));
   forgetOldest();
 }

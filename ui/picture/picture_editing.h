@@ -158,7 +158,7 @@ class PictureEditing : public QObject {
   picture::Ink ink() const;
   picture::Ink groundInk() const;
   void push(PictureStep step, const QString& text);
-  void note(PictureStep step, const QString& text);
+  void recordStep(PictureStep step, const QString& text);
   void exchange(PictureStep& step, bool forward);
   void setSaved(std::shared_ptr<const picture::EditedGrid> saved);
   void mergeNext();

@@ -209,9 +209,9 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
   new RegionTip(
       context_.view, [this](const Eigen::Vector2d& world_m) { return reasonAt(world_m); }, this);
   connect(tool_, &RectangleTool::drawn, map_fetch_.get(), &MapFetch::onRectangle);
-  connect(map_fetch_.get(), &MapFetch::changed, this, &RegionsController::tell);
+  connect(map_fetch_.get(), &MapFetch::changed, this, &RegionsController::updateState);
   connect(map_fetch_.get(), &MapFetch::regionWanted, this, &RegionsController::drawRectangle);
-  tell();
+  updateState();
 }
 
 RegionsController::~RegionsController() {
@@ -312,12 +312,12 @@ void RegionsController::follow() {
   map_.reset();
   if (dispatch_) {
     map_ = std::make_unique<regions::RegionMap>(*dispatch_, mapOptions(context_.budgets));
-    connect(map_.get(), &regions::RegionMap::changed, this, &RegionsController::tell);
+    connect(map_.get(), &regions::RegionMap::changed, this, &RegionsController::updateState);
     connect(dispatch_, &robot::MapDispatch::offersChanged, this, [this] {
-      tell();
+      updateState();
       Q_EMIT context_.current.stateChanged();
     });
-    connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionsController::tell);
+    connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionsController::updateState);
   }
   map_fetch_->setDispatch(dispatch, map_.get());
   look();
@@ -341,10 +341,10 @@ void RegionsController::saveOnRobot() {
       &context_.window);
   connect(save_dialog_, &QDialog::finished, this, [this] {
     save_dialog_.clear();  // it goes by itself
-    tell();
+    updateState();
   });
   save_dialog_->open();
-  tell();
+  updateState();
 }
 
 void RegionsController::showRegions() {
@@ -361,14 +361,14 @@ void RegionsController::look() {
     const bool wanted = online() && context_.scene.layerVisible(Layer::Regions) && !comparing(context_.scene);
     map_->setView(wanted ? std::optional(view.visibleWorld()) : std::nullopt, view.center_m);
   }
-  tell();
+  updateState();
 }
 
 QMessageBox* RegionsController::question() const { return map_fetch_->question(); }
 
 QString RegionsController::statusShown() const { return status_ && map_ ? status_->text() : QString(); }
 
-void RegionsController::tell() {
+void RegionsController::updateState() {
   const bool by_region = map_ && map_->offered();
   const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
   // If the robot never sent a region nothing is missing on the map.
@@ -404,13 +404,13 @@ void RegionsController::tell() {
   Notice said{notice.mark, notice.sentence, {}, {}, too_far};
   if (notice.offer == Offer::Whole) {
     said.offer = tr("Fetch the whole map…");
-    said.take = [this] { map_fetch_->fetchWhole(); };
+    said.accept = [this] { map_fetch_->fetchWhole(); };
   } else if (notice.offer == Offer::Region) {
     said.offer = tr("Fetch a region…");
-    said.take = [this] { drawRectangle(); };
+    said.accept = [this] { drawRectangle(); };
   } else if (notice.offer == Offer::Retry) {
     said.offer = tr("Retry");
-    said.take = [this] {
+    said.accept = [this] {
       if (map_) map_->retryNow();
     };
   }

@@ -90,7 +90,7 @@ class RegionsController : public Controller {
   void addActions();
   void follow();  // the dispatcher has appeared or disappeared
   void look();    // updates the visible area
-  void tell();
+  void updateState();
   bool online() const;
   void drawRectangle();
   void saveOnRobot();

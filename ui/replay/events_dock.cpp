@@ -60,7 +60,7 @@ std::vector<std::uint32_t> EventsModel::passing(const std::vector<Event>& events
 
 void EventsModel::setEvents(std::vector<Event> events, double start_s) {
   const bool moved = std::exchange(start_s_, start_s) != start_s;
-  if (events != events_) take(std::move(events));
+  if (events != events_) replaceEvents(std::move(events));
   if (moved && !rows_.empty())
     Q_EMIT dataChanged(index(0, SinceColumn), index(int(rows_.size()) - 1, SinceColumn));
   onPresent();
@@ -69,11 +69,11 @@ void EventsModel::setEvents(std::vector<Event> events, double start_s) {
 void EventsModel::setFilter(const EventFilter& filter) {
   if (filter == filter_) return;
   filter_ = filter;
-  take(events_);
+  replaceEvents(events_);
   onPresent();
 }
 
-void EventsModel::take(std::vector<Event> events) {
+void EventsModel::replaceEvents(std::vector<Event> events) {
   std::vector<std::uint32_t> rows = passing(events);
   const std::size_t least = std::min(rows.size(), rows_.size());
   std::size_t same = 0, same_after = 0;

@@ -56,7 +56,7 @@ class EventsModel : public QAbstractTableModel {
  private:
   std::vector<std::uint32_t> passing(const std::vector<replay::Event>& events) const;
   bool passes(const replay::Event& event) const;
-  void take(std::vector<replay::Event> events);
+  void replaceEvents(std::vector<replay::Event> events);
   void onPresent();
   QString text(const replay::Event& event, int column) const;
   std::size_t at(int row) const { return rows_[std::size_t(row)]; }

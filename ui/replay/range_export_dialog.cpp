@@ -256,7 +256,7 @@ void RangeExportDialog::start() {
   job_ = std::make_unique<excerpt::ExcerptJob>(offer_.source, std::move(order), offer_.workers);
   connect(job_.get(), &excerpt::ExcerptJob::progressed, this,
           [this](double share) { progress_->setValue(int(share * 1000)); });
-  connect(job_.get(), &excerpt::ExcerptJob::ended, this, &RangeExportDialog::take);
+  connect(job_.get(), &excerpt::ExcerptJob::ended, this, &RangeExportDialog::onEnded);
   setRunning(true);
   job_->start();
 }
@@ -270,7 +270,7 @@ void RangeExportDialog::setRunning(bool running) {
   close_->setText(running ? tr("Cancel") : tr("Close"));
 }
 
-void RangeExportDialog::take(const excerpt::Ended& ended) {
+void RangeExportDialog::onEnded(const excerpt::Ended& ended) {
   const QString path = path_->text().trimmed();
   // It is emitting this signal.
   job_.release()->deleteLater();

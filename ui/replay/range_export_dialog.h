@@ -72,7 +72,7 @@ class RangeExportDialog : public QDialog {
   void browse();
   void say(const QString& sentence, bool bad = true);
   void setRunning(bool running);
-  void take(const excerpt::Ended& ended);
+  void onEnded(const excerpt::Ended& ended);
   /// Why the input is invalid; nullopt: it is valid.
   std::optional<QString> unavailableReason(const QString& path) const;
   std::optional<double> time(const QLineEdit* edit, const QString& shown, double meant_s) const;

@@ -454,7 +454,7 @@ void ReplayController::refresh() {
       notice.sentence += QLatin1Char(' ') + tr("The recording was cut off at %1 and has been repaired.")
                                                 .arg(clockText(*info->repair->broke_off_s, 0));
     notice.offer = backWords();
-    notice.take = [this] { back(); };
+    notice.accept = [this] { back(); };
     notice.closable = true;
   }
   context_.notices.set(NoticeRank::Replay, std::move(notice));

@@ -78,7 +78,7 @@ void TimelineView::setAt(double at_s) {
   if (at_s == at_s_) return;
   at_s_ = at_s;
   if (until_s_ > from_s_ && drag_ == Drag::None)
-    take(axis().showing(at_s, content_.first_s, content_.last_s));
+    setAxis(axis().showing(at_s, content_.first_s, content_.last_s));
   describe();
   update();
 }
@@ -110,7 +110,7 @@ TimelineAxis TimelineView::axis() const {
   return axis;
 }
 
-void TimelineView::take(const TimelineAxis& axis) {
+void TimelineView::setAxis(const TimelineAxis& axis) {
   const bool all = axis.from_s <= content_.first_s && axis.until_s >= content_.last_s;
   from_s_ = all ? 0 : axis.from_s;
   until_s_ = all ? 0 : axis.until_s;
@@ -123,7 +123,7 @@ void TimelineView::showAll() {
 }
 
 void TimelineView::zoomBy(double factor, double at_s) {
-  if (!isEmpty()) take(axis().zoomed(factor, at_s, content_.first_s, content_.last_s));
+  if (!isEmpty()) setAxis(axis().zoomed(factor, at_s, content_.first_s, content_.last_s));
 }
 
 double TimelineView::timeAt(double px) const {
@@ -190,7 +190,7 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
       loop_ = {std::min(drag_from_s_, timeAt(px)), std::max(drag_from_s_, timeAt(px))};
       break;
     case Drag::Pan:
-      take(axis().movedBy((drag_px_ - px) * axis().secondsPerPixel(), content_.first_s, content_.last_s));
+      setAxis(axis().movedBy((drag_px_ - px) * axis().secondsPerPixel(), content_.first_s, content_.last_s));
       drag_px_ = px;
       break;
     case Drag::None:
@@ -226,7 +226,7 @@ void TimelineView::wheelEvent(QWheelEvent* event) {
   const double notches = (sideways ? turned.x() : turned.y()) / kTimelineNotch;
   if (sideways || event->modifiers() & Qt::ShiftModifier) {
     const TimelineAxis now = axis();
-    take(
+    setAxis(
         now.movedBy(-notches * kPanPerNotch * (now.until_s - now.from_s), content_.first_s, content_.last_s));
   } else {
     zoomBy(std::pow(kZoomPerNotch, notches), timeAt(event->position().x()));

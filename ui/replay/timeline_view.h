@@ -92,7 +92,7 @@ class TimelineView : public QWidget {
   void paintEvents(QPainter& painter, const Rows& rows) const;
   void paintLoop(QPainter& painter, const Rows& rows) const;
   void paintCursor(QPainter& painter, const Rows& rows) const;
-  void take(const TimelineAxis& axis);
+  void setAxis(const TimelineAxis& axis);
   bool isEmpty() const { return !(content_.last_s > content_.first_s); }
   double timeAt(double px) const;
   void describe();

@@ -525,13 +525,13 @@ void ConnectionController::refreshNotices() {
       link.sentence += QLatin1Char(' ') + sentences::sentenceOf(connection.reason);
     if (wantsSecret(connection)) {
       link.offer = tr("Enter secret…");
-      link.take = [this] { enterSecret(); };
+      link.accept = [this] { enterSecret(); };
     } else if (connection.certificate) {
       link.offer = tr("Certificate…");
-      link.take = [this] { openCertificate(); };
+      link.accept = [this] { openCertificate(); };
     } else {
       link.offer = local ? tr("Read again") : tr("Retry now");
-      link.take = [this] { retry(); };
+      link.accept = [this] { retry(); };
     }
   }
   if (const auto beside = certificateBeside(); beside && link.sentence.isEmpty()) {

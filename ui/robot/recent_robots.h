@@ -50,7 +50,9 @@ class RecentRobots {
   bool isLookOfOne(const RobotLook& look) const;
   void remove(const QString& address);
   /// Told of each that leaves the list.
-  void whenForgotten(std::function<void(const QString& address)> tell) { forgotten_ = std::move(tell); }
+  void whenForgotten(std::function<void(const QString& address)> forgotten) {
+    forgotten_ = std::move(forgotten);
+  }
 
  private:
   void save(const QVector<RecentRobot>& robots);

@@ -7,9 +7,9 @@ namespace mapwright::window {
 Notices::Notices(NoticeBar* bar, QObject* parent) : QObject(parent), bar_(bar) {
   connect(bar_, &NoticeBar::offerTaken, this, [this] {
     const Notice* const notice = first();
-    if (!notice || !notice->take) return;
-    const auto take = notice->take;  // the call may delete the notice
-    take();
+    if (!notice || !notice->accept) return;
+    const auto accept = notice->accept;  // the call may delete the notice
+    accept();
   });
   connect(bar_, &NoticeBar::closed, this, [this] {
     dismissed_.insert(bar_->sentence());

@@ -21,8 +21,8 @@ struct Notice {
   Mark mark = Mark::Neutral;
   QString sentence;  // plain text; empty = nothing to say
   QString offer = {};
-  std::function<void()> take = {};  // the offer
-  bool closable = false;            // once closed, the same sentence is not shown again
+  std::function<void()> accept = {};  // the offer
+  bool closable = false;              // once closed, the same sentence is not shown again
 };
 
 class Notices : public QObject {

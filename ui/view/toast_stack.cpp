@@ -90,12 +90,12 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
   toast->setProperty("says", same);
   toast->setProperty("times", times);
   toast->setProperty("about", about);
-  QPushButton* const take = offer.words.isEmpty() ? nullptr : new QPushButton(offer.words, toast);
-  if (take) {
-    take->setObjectName(QStringLiteral("compact"));
-    take->setFocusPolicy(Qt::NoFocus);
+  QPushButton* const button = offer.words.isEmpty() ? nullptr : new QPushButton(offer.words, toast);
+  if (button) {
+    button->setObjectName(QStringLiteral("compact"));
+    button->setFocusPolicy(Qt::NoFocus);
   }
-  const int around = kAroundTextPx + (take ? take->sizeHint().width() : 0);
+  const int around = kAroundTextPx + (button ? button->sizeHint().width() : 0);
   const int widest = parentWidget()
                          ? std::clamp(parentWidget()->width() - around, kNarrowestText, kWidestText)
                          : kWidestText;
@@ -119,7 +119,7 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
   row->setSpacing(10);
   row->addWidget(new MarkBox(mark, toast), 0, Qt::AlignVCenter);
   row->addWidget(label, 1);
-  if (take) row->addWidget(take);
+  if (button) row->addWidget(button);
   row->addWidget(close);
   column_->addWidget(toast, 0, Qt::AlignRight);
   const auto dismiss = [this, toast] {
@@ -132,13 +132,13 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
     Q_EMIT changed();
   };
   connect(close, &QToolButton::clicked, toast, dismiss);
-  if (take) {
-    connect(take, &QPushButton::clicked, toast, [dismiss, wish = std::move(offer.take)] {
+  if (button) {
+    connect(button, &QPushButton::clicked, toast, [dismiss, wish = std::move(offer.accept)] {
       dismiss();
       if (wish) wish();
     });
   }
-  const bool lasting = mark == Mark::Warning || mark == Mark::Bad || take;
+  const bool lasting = mark == Mark::Warning || mark == Mark::Bad || button;
   QTimer::singleShot(lasting ? lifetime_ms_ * 3 : lifetime_ms_, toast, dismiss);
   show();
   adjustSize();

@@ -16,7 +16,7 @@ namespace mapwright::window {
 /// An action for it; empty text = none.
 struct ToastOffer {
   QString words = {};
-  std::function<void()> take = {};
+  std::function<void()> accept = {};
 };
 
 class ToastStack : public QWidget {

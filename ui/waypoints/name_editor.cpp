@@ -62,12 +62,12 @@ void NameEditor::loseObject() {
   if (then_) then_ = [](const QString&) {};
 }
 
-void NameEditor::close(bool take) {
+void NameEditor::close(bool keep) {
   if (!then_) return;
   qApp->removeEventFilter(this);
   const auto then = std::exchange(then_, nullptr);
   hide();
-  if (isModified()) then(take && !text().trimmed().isEmpty() ? text() : offered_);
+  if (isModified()) then(keep && !text().trimmed().isEmpty() ? text() : offered_);
 }
 
 void NameEditor::keyPressEvent(QKeyEvent* event) {

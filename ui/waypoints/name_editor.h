@@ -37,7 +37,7 @@ class NameEditor : public QLineEdit {
   struct Marked {
     int from = -1, count = 0, cursor = 0;
   };
-  void close(bool take);
+  void close(bool keep);
   void focusAgain();
   void rememberFocus();
   bool isOnObject(const QPointF& viewport_px) const;

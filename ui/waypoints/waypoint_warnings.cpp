@@ -14,7 +14,7 @@ WaypointWarnings::WaypointWarnings(WaypointEditing* editing, std::shared_ptr<wor
     : QObject(parent), editing_(editing), share_(std::move(workers)) {
   connect(editing_, &WaypointEditing::opened, this, [this] {
     if (editing_->document())
-      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointWarnings::take,
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointWarnings::onChanged,
               Qt::UniqueConnection);
     begin();
   });
@@ -55,7 +55,7 @@ void WaypointWarnings::setZeroTurns(std::set<edit::Key> keys) {
   for (const edit::Key& key : either) {
     if (settle(key)) touched.insert(key);
   }
-  tell(touched);
+  emitChanged(touched);
 }
 
 void WaypointWarnings::cellsChanged(const geometry::WorldRect& where) {
@@ -82,7 +82,7 @@ void WaypointWarnings::begin() {
   }
   everythingAnew();
   for (const auto& [key, warnings] : all_) gone.insert(key);
-  tell(gone);
+  emitChanged(gone);
 }
 
 void WaypointWarnings::everythingAnew() {
@@ -95,7 +95,7 @@ void WaypointWarnings::everythingAnew() {
   lookSoon();
 }
 
-void WaypointWarnings::take(const edit::DocumentChange& change) {
+void WaypointWarnings::onChanged(const edit::DocumentChange& change) {
   if (sender() != editing_->document()) return;  // from a closed list
   if (change.everything) return begin();
   std::set<std::string> touched;
@@ -125,7 +125,7 @@ void WaypointWarnings::take(const edit::DocumentChange& change) {
   for (const edit::Key& key : touched) {
     if (settle(key)) other.insert(key);
   }
-  tell(other);
+  emitChanged(other);
   lookSoon();
 }
 
@@ -243,7 +243,7 @@ bool WaypointWarnings::settle(const edit::Key& key) {
   return true;
 }
 
-void WaypointWarnings::tell(const std::set<std::string>& keys) {
+void WaypointWarnings::emitChanged(const std::set<std::string>& keys) {
   if (!keys.empty()) Q_EMIT changed({keys.begin(), keys.end()});
 }
 

@@ -51,7 +51,7 @@ class WaypointWarnings : public QObject {
 
  private:
   void begin();
-  void take(const edit::DocumentChange& change);
+  void onChanged(const edit::DocumentChange& change);
   void onPreview();
   void lookSoon();
   void look();
@@ -66,7 +66,7 @@ class WaypointWarnings : public QObject {
   void lookForNames(std::set<std::string>& touched);
   /// Updates those of one waypoint; true if they have changed.
   bool settle(const edit::Key& key);
-  void tell(const std::set<std::string>& keys);
+  void emitChanged(const std::set<std::string>& keys);
 
   WaypointEditing* editing_;
   placing::PlacedMap map_;

@@ -55,7 +55,7 @@ constexpr std::size_t kMostSortKeys = 200'000;
 void WaypointsModel::setDocument(edit::WaypointDocument* document) {
   if (document_) document_->disconnect(this);
   document_ = document;
-  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointsModel::take);
+  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointsModel::onChanged);
   begin();
 }
 
@@ -110,7 +110,7 @@ int WaypointsModel::pending(const edit::Key& key) const {
   return pendingOf(document_->state(key), document_->findKept(key), document_->find(key));
 }
 
-void WaypointsModel::take(const edit::DocumentChange& change) {
+void WaypointsModel::onChanged(const edit::DocumentChange& change) {
   if (change.everything) return begin();
   std::vector<const edit::Key*> come, go;
   std::size_t others = 0;
@@ -135,15 +135,15 @@ void WaypointsModel::take(const edit::DocumentChange& change) {
     // One signal for all of them: told one by one, a sorted list would place each among others that are not
     // in their places yet. Without unchanged columns, as one of these may be the sort column.
     using namespace edit::waypoint_field;
-    const auto tell = [&](edit::FieldMask field, int from, int to) {
+    const auto emitColumns = [&](edit::FieldMask field, int from, int to) {
       if (change.fields & field || !change.added.empty() || !change.removed.empty())
         Q_EMIT dataChanged(index(first, from), index(last, to));
     };
     Q_EMIT dataChanged(index(first, StateColumn), index(last, StateColumn));
-    tell(kName | kType, NameColumn, NameColumn);
-    tell(kPosition, XColumn, YColumn);
-    tell(kYaw, YawColumn, YawColumn);
-    tell(kTags, TagsColumn, TagsColumn);
+    emitColumns(kName | kType, NameColumn, NameColumn);
+    emitColumns(kPosition, XColumn, YColumn);
+    emitColumns(kYaw, YawColumn, YawColumn);
+    emitColumns(kTags, TagsColumn, TagsColumn);
   } else if (others > 0) {
     for (const auto* keys : {&change.added, &change.changed, &change.removed}) {
       for (const edit::Key& key : *keys) {

@@ -41,7 +41,7 @@ class WaypointsModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  void take(const edit::DocumentChange& change);
+  void onChanged(const edit::DocumentChange& change);
   void begin();
   bool belongs(const edit::Key& key) const;
   /// As it is, or as it is kept when I deleted it; null = neither.

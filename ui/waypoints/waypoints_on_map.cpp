@@ -21,7 +21,8 @@ WaypointsOnMap::WaypointsOnMap(WaypointEditing* editing, scene::MapScene* scene,
   hits->add(scene::Layer::Waypoints, &places_);
   connect(editing_, &WaypointEditing::opened, this, [this] {
     if (edit::WaypointDocument* const document = editing_->document())
-      connect(document, &edit::WaypointDocument::changed, this, &WaypointsOnMap::take, Qt::UniqueConnection);
+      connect(document, &edit::WaypointDocument::changed, this, &WaypointsOnMap::onChanged,
+              Qt::UniqueConnection);
     begin();
   });
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointsOnMap::onSelection);
@@ -58,7 +59,7 @@ void WaypointsOnMap::begin() {
   draw();
 }
 
-void WaypointsOnMap::take(const edit::DocumentChange& change) {
+void WaypointsOnMap::onChanged(const edit::DocumentChange& change) {
   if (sender() != editing_->document()) return;  // from a closed list
   if (change.everything) return begin();
   const bool many = change.added.size() + change.changed.size() + change.removed.size() > kManyMoved;

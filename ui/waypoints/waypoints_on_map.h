@@ -29,7 +29,7 @@ class WaypointsOnMap : public QObject {
 
  private:
   void begin();
-  void take(const edit::DocumentChange& change);
+  void onChanged(const edit::DocumentChange& change);
   void onSelection();
   void onPreview();
   /// nullopt = it is not drawn.

@@ -105,11 +105,11 @@ void LayoutController::setSession(session::Session* session) {
     if (context_.window.focusWidget() == &context_.view) standBackSoon();
   });
   if (!chosen_ && !opened_) {
-    const auto note = [this, session] {
+    const auto markOpened = [this, session] {
       opened_ = opened_ || session->connection().phase == robot::ConnectionPhase::Online;
     };
-    connect(session, &session::Session::connectionChanged, this, note);
-    note();
+    connect(session, &session::Session::connectionChanged, this, markOpened);
+    markOpened();
     // Robots tell what they can do once they are connected.
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, [this, session] {
       // No panel is taken away from whoever is working there.
@@ -155,7 +155,7 @@ void LayoutController::remember(QSettings& settings) {
   store(settings);
 }
 
-void LayoutController::note(QSettings& settings) {
+void LayoutController::save(QSettings& settings) {
   // What belongs to a replay is taken away when that ends, and not while it is looked at.
   if (!replayOf(context_.current.session())) states_[role_] = context_.panels.state();
   store(settings);

@@ -121,18 +121,18 @@ QStringList withTextOnBar(Role role) {
                                  "measure",     "follow",    "compare"};
   const char* const replay[] = {"fit", "follow", "measure", "modeSubmaps", "modeWhole", "modeBoth"};
   QStringList ids;
-  const auto take = [&](const auto& actions) {
+  const auto addAll = [&](const auto& actions) {
     for (const char* action : actions) ids << QLatin1String(action);
   };
   switch (role) {
     case Role::Operate:
-      take(operate);
+      addAll(operate);
       break;
     case Role::Inspect:
-      take(inspect);
+      addAll(inspect);
       break;
     case Role::Replay:
-      take(replay);
+      addAll(replay);
       break;
   }
   return ids;

@@ -286,9 +286,9 @@ void MainWindow::storeSettings() {
   settings_.setValue(kGeometryKey, saveGeometry());
   for (Controller* controller : controllers_) {
     if (controller == layout_) {
-      layout_->note(settings_);
+      layout_->save(settings_);
     } else if (controller == layers_) {
-      layers_->note(settings_);
+      layers_->save(settings_);
     } else {
       controller->remember(settings_);
     }
