@@ -40,12 +40,12 @@ class Counter : public QObject {
     QString who = QLatin1String(receiver->metaObject()->className());
     if (const QObject* const owner = receiver->parent())
       who += QStringLiteral(" of ") + QLatin1String(owner->metaObject()->className());
-    if (event->type() == QEvent::Timer) note(timers, QStringLiteral("timer of ") + who);
-    if (event->type() == QEvent::MetaCall) note(calls, QStringLiteral("call of ") + who);
-    if (event->type() == QEvent::UpdateRequest) note(frames, QStringLiteral("frame of ") + who);
+    if (event->type() == QEvent::Timer) add(timers, QStringLiteral("timer of ") + who);
+    if (event->type() == QEvent::MetaCall) add(calls, QStringLiteral("call of ") + who);
+    if (event->type() == QEvent::UpdateRequest) add(frames, QStringLiteral("frame of ") + who);
     if (event->type() == QEvent::Paint && receiver->isWidgetType()) {
       const bool of_map = qobject_cast<window::MapView*>(receiver->parent()) != nullptr;
-      note(of_map ? map_paints : paints, QStringLiteral("paint of ") + who);
+      add(of_map ? map_paints : paints, QStringLiteral("paint of ") + who);
     }
     return false;
   }
@@ -57,7 +57,7 @@ class Counter : public QObject {
   int timers = 0, calls = 0, frames = 0, paints = 0, map_paints = 0;
 
  private:
-  void note(int& count, const QString& who) {
+  void add(int& count, const QString& who) {
     ++count;
     ++by_who_[who];
   }

@@ -31,7 +31,7 @@ class ScriptedBridge {
         peer->setParent(&server_);
         peers.append(peer);
         QObject::connect(peer, &QWebSocket::textMessageReceived, peer, [this, peer](const QString& text) {
-          take(*peer, QJsonDocument::fromJson(text.toUtf8()).object());
+          onRequest(*peer, QJsonDocument::fromJson(text.toUtf8()).object());
         });
         QObject::connect(peer, &QWebSocket::disconnected, peer, [this, peer] {
           peers.removeAll(peer);
@@ -144,7 +144,7 @@ class ScriptedBridge {
     if (lost_in_cbor.contains(topic)) return;
     peer.sendBinaryMessage(QCborValue(QCborMap::fromJsonObject(publish)).toCbor());
   }
-  void take(QWebSocket& peer, const QJsonObject& asked_now) {
+  void onRequest(QWebSocket& peer, const QJsonObject& asked_now) {
     if (asked_now[QLatin1String("op")] == QLatin1String("fragment")) return join(peer, asked_now);
     asked << asked_now;
     const QString op = asked_now[QLatin1String("op")].toString(),
@@ -187,7 +187,7 @@ class ScriptedBridge {
     const QString text = whole ? QStringList(held.values()).join(QString()) : QString();
     if (whole) held_.remove(piece[QLatin1String("id")].toString());
     if (atPiece) atPiece(number);
-    if (whole) take(peer, QJsonDocument::fromJson(text.toUtf8()).object());
+    if (whole) onRequest(peer, QJsonDocument::fromJson(text.toUtf8()).object());
   }
 
   QMap<QString, QMap<int, QString>> held_;

@@ -351,7 +351,7 @@ class KabamPartsTest : public QObject {
   void everyCodeHasASentenceOfItsOwn() {
     QSet<QString> sentences;
     int failures = 0;
-    const auto take = [&](const std::optional<map::Failure>& failure) {
+    const auto check = [&](const std::optional<map::Failure>& failure) {
       QVERIFY(failure);
       ++failures;
       const QString sentence = QString::fromStdString(sentences::sentenceOf(*failure));
@@ -361,17 +361,17 @@ class KabamPartsTest : public QObject {
     const auto values = [](int code) { return byJson("{\"result\":" + QByteArray::number(code) + "}"); };
     const map::Subject places = map::placesOf({map::MapKind::Stored, "m"});
     for (const int good : {0, 3, 5}) QVERIFY(!resultOf("create_waypoint", values(good).msg, places, "x"));
-    for (const int bad : {1, 2, 4, 6, 17}) take(resultOf("create_waypoint", values(bad).msg, places, "x"));
+    for (const int bad : {1, 2, 4, 6, 17}) check(resultOf("create_waypoint", values(bad).msg, places, "x"));
     QCOMPARE(sentences.size(), failures);
     sentences.clear();
     failures = 0;
     for (const int good : {0, 1}) QVERIFY(!resultOf("rename_map", values(good).msg, places));
-    for (const int bad : {2, 3, 4, 99}) take(resultOf("rename_map", values(bad).msg, places));
+    for (const int bad : {2, 3, 4, 99}) check(resultOf("rename_map", values(bad).msg, places));
     QCOMPARE(sentences.size(), failures);
     sentences.clear();
     failures = 0;
     QVERIFY(!resultOf("load_map", values(0).msg, places));
-    for (const int bad : {1, 2, 3, 4, 5}) take(resultOf("load_map", values(bad).msg, places));
+    for (const int bad : {1, 2, 3, 4, 5}) check(resultOf("load_map", values(bad).msg, places));
     QCOMPARE(sentences.size(), failures);
     const auto none = resultOf("load_map", byJson("{}").msg, places);
     QVERIFY(none && none->kind == map::FailureKind::MalformedAnswer && none->applied == map::Applied::Maybe);

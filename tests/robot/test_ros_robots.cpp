@@ -94,8 +94,8 @@ class RosRobotsTest : public QObject {
       if (layout == Layout::WithRoot) robots.push_back({});
       std::vector<Told> told;
       std::vector<Endpoint> found;
-      const auto tell = [&](Stream stream, Form form, const std::string& topic, const char* type,
-                            const QByteArray& text) {
+      const auto publish = [&](Stream stream, Form form, const std::string& topic, const char* type,
+                               const QByteArray& text) {
         const Endpoint endpoint{topic, type};
         if (std::find(found.begin(), found.end(), endpoint) == found.end()) found.push_back(endpoint);
         told.push_back({{stream, form, topic, type, {}, true}, text});
@@ -109,20 +109,21 @@ class RosRobotsTest : public QObject {
         const std::string own_tf = layout == Layout::OneTopic ? "/tf" : robot + "/tf";
         const std::string map_tf = named ? "/tf" : own_tf;
         const geometry::Pose2 odom = place(), base = place(), laser = place();
-        tell(Stream::Pose, Form::Tf, map_tf, "tf2_msgs/TFMessage", tf("map", prefix + "odom", odom));
-        tell(Stream::Pose, Form::Tf, own_tf, "tf2_msgs/TFMessage",
-             tf(prefix + "odom", prefix + "base_link", base));
-        tell(Stream::Pose, Form::StaticTf, own_tf + "_static", "tf2_msgs/TFMessage",
-             tf(prefix + "base_link", prefix + "laser", laser));
+        publish(Stream::Pose, Form::Tf, map_tf, "tf2_msgs/TFMessage", tf("map", prefix + "odom", odom));
+        publish(Stream::Pose, Form::Tf, own_tf, "tf2_msgs/TFMessage",
+                tf(prefix + "odom", prefix + "base_link", base));
+        publish(Stream::Pose, Form::StaticTf, own_tf + "_static", "tf2_msgs/TFMessage",
+                tf(prefix + "base_link", prefix + "laser", laser));
         const geometry::Pose2 sensor = odom * base * laser;
         const double range_m = 1 + double(++id);
         const std::string frame = layout == Layout::OneTopic ? "laser" : prefix + "laser";
         hits[robot + "/scan"] = {sensor.x_m + range_m * std::cos(sensor.yaw_rad),
                                  sensor.y_m + range_m * std::sin(sensor.yaw_rad)};
         cubes["cube " + std::to_string(id)] = sensor * geometry::Pose2{1, 0, 0};
-        tell(Stream::Cloud, Form::LaserScan, robot + "/scan", "sensor_msgs/LaserScan", scan(frame, range_m));
-        tell(Stream::SeenObjects, Form::Markers, robot + "/markers", "visualization_msgs/MarkerArray",
-             cube(frame, id));
+        publish(Stream::Cloud, Form::LaserScan, robot + "/scan", "sensor_msgs/LaserScan",
+                scan(frame, range_m));
+        publish(Stream::SeenObjects, Form::Markers, robot + "/markers", "visualization_msgs/MarkerArray",
+                cube(frame, id));
       }
       RosWorld world;
       world.setRobots(robotsIn(sourcesOf(found, {}), {}));

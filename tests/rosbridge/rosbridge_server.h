@@ -119,7 +119,7 @@ inline ClientOptions quick(const StandingClock& clock = {}) {
 /// What came back of calls, in order.
 struct Replies {
   QList<CallAnswer> all;
-  rosbridge::Reply take() {
+  rosbridge::Reply collect() {
     return [this](const CallAnswer& answer) { all.append(answer); };
   }
 };

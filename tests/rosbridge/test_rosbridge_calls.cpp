@@ -44,7 +44,7 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    client.call(request("/map_manager/load_map", "{\"map_id\":\"d8\",\"number\":2.0}"), replies.take());
+    client.call(request("/map_manager/load_map", "{\"map_id\":\"d8\",\"number\":2.0}"), replies.collect());
     QCOMPARE(replies.all.size(), 0);
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(replies.all[0].kind, Kind::Answered);
@@ -65,7 +65,7 @@ class TestRosbridgeCalls : public QObject {
     CallRequest wanted = request("/get_map", "{}");
     wanted.arriving = [&](qint64 bytes) { told.append(bytes); };
     client.open();
-    client.call(wanted, replies.take());
+    client.call(wanted, replies.collect());
     QTRY_COMPARE(server.seen.size(), 1);
     const QByteArray answer = "{\"op\":\"service_response\",\"id\":\"" + server.seen[0]["id"].toUtf8() +
                               "\",\"values\":{},\"result\":true}";
@@ -121,7 +121,7 @@ class TestRosbridgeCalls : public QObject {
       travelled << bytes;
       QVERIFY(bytes <= of);
     };
-    client.call(call, replies.take());
+    client.call(call, replies.collect());
     QTRY_VERIFY(!whole.isEmpty() && whole.endsWith("\"}}"));
     const QJsonObject read = QJsonDocument::fromJson(whole).object();
     QCOMPARE(read[QLatin1String("service")].toString(), QStringLiteral("/map_manager/update_map_image"));
@@ -157,7 +157,7 @@ class TestRosbridgeCalls : public QObject {
         QStringLiteral("{\"a\":\"") + QString(40'000'000, QLatin1Char('a')) + QStringLiteral("\"}"));
     if (how == QLatin1String("its maker gives up")) args->most = 1'000'000;
     call.made_while_sent = args;
-    const quint64 number = client.call(call, replies.take());
+    const quint64 number = client.call(call, replies.collect());
     server.answer = [&](const Seen& one) {
       if (one["num"].toInt() != 2) return;
       if (how == QLatin1String("it is cancelled")) client.cancel(number);
@@ -172,7 +172,7 @@ class TestRosbridgeCalls : public QObject {
       if (one["service"] == QLatin1String("/y")) server.reply(one, "{}");
     };
     QTRY_COMPARE(client.link().state(), State::Open);
-    client.call(request("/y"), replies.take());
+    client.call(request("/y"), replies.collect());
     QTRY_COMPARE(replies.all.size(), 2);
     QCOMPARE(replies.all[1].kind, Kind::Answered);
   }
@@ -201,12 +201,12 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    client.call(request("/a"), replies.take());
+    client.call(request("/a"), replies.collect());
     QTRY_COMPARE(replies.all.size(), 1);
     server.dropAll();
     QTRY_VERIFY(client.link().state() != State::Open);
     QTRY_COMPARE(client.link().state(), State::Open);
-    client.call(request("/b"), replies.take());
+    client.call(request("/b"), replies.collect());
     QTRY_COMPARE(replies.all.size(), 2);
     QVERIFY(server.seen[0]["id"] != server.seen[1]["id"]);
     QVERIFY(!server.seen[0]["id"].isEmpty());
@@ -217,7 +217,7 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    for (int i = 0; i < 5; ++i) client.call(request("/x"), replies.take());
+    for (int i = 0; i < 5; ++i) client.call(request("/x"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 5);
     server.reply(server.seen[0], "\"Service \\/no\\/such does not exist\"", "false");
     server.reply(server.seen[1],
@@ -245,7 +245,7 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    client.call(request("/x"), replies.take());
+    client.call(request("/x"), replies.collect());
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(replies.all[0].kind, Kind::Answered);
     QCOMPARE(replies.all[0].values["result"].flag(), false);
@@ -256,7 +256,7 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    for (int i = 0; i < 4; ++i) client.call(request("/x"), replies.take());
+    for (int i = 0; i < 4; ++i) client.call(request("/x"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 4);
     server.reply(server.seen[0], "\"fine\"");
     const auto answer = [&](int i, const QByteArray& rest) {
@@ -280,9 +280,9 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    client.call(request("/a"), replies.take());
-    client.call(request("/b"), replies.take());
-    client.call(request("/b"), replies.take());
+    client.call(request("/a"), replies.collect());
+    client.call(request("/b"), replies.collect());
+    client.call(request("/b"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 3);
     server.say(R"({"op":"service_response","service":"\/b","values":{},"result":true})");
     server.say(R"({"op":"service_response","service":"\/a","values":{"a":1},"result":true})");
@@ -310,7 +310,7 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), options);
     Replies replies;
     client.open();
-    for (int i = 0; i < 7; ++i) client.call(request("/" + std::to_string(i)), replies.take());
+    for (int i = 0; i < 7; ++i) client.call(request("/" + std::to_string(i)), replies.collect());
     QTRY_COMPARE(server.seen.size(), 3);
     server.reply(server.seen[1], "{}");
     QTRY_COMPARE(server.seen.size(), 4);
@@ -329,8 +329,8 @@ class TestRosbridgeCalls : public QObject {
     client.open();
     CallRequest patient = request("/patient");
     patient.timeout = milliseconds(60'000);
-    client.call(request("/a"), replies.take());
-    client.call(patient, replies.take());
+    client.call(request("/a"), replies.collect());
+    client.call(patient, replies.collect());
     QTRY_COMPARE(server.seen.size(), 2);
     clock.pass(milliseconds(9'999));
     QVERIFY(clock.seen());
@@ -354,9 +354,9 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), options);
     Replies replies;
     client.open();
-    client.call(request("/a"), replies.take());
-    client.call(request("/b"), replies.take());
-    client.call(request("/c"), replies.take());
+    client.call(request("/a"), replies.collect());
+    client.call(request("/b"), replies.collect());
+    client.call(request("/c"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 1);
     clock.pass(milliseconds(10'000));
     QTRY_COMPARE(replies.all.size(), 1);
@@ -377,8 +377,8 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), options);
     Replies replies;
     client.open();
-    const quint64 sent = client.call(request("/a"), replies.take());
-    const quint64 waiting = client.call(request("/b"), replies.take());
+    const quint64 sent = client.call(request("/a"), replies.collect());
+    const quint64 waiting = client.call(request("/b"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 1);
     client.cancel(waiting);
     client.cancel(sent);
@@ -389,7 +389,7 @@ class TestRosbridgeCalls : public QObject {
     QCOMPARE(replies.all[0].kind, Kind::Cancelled);
     QVERIFY(!replies.all[0].sent && replies.all[1].sent);
     server.reply(server.seen[0], "{}");
-    client.call(request("/c"), replies.take());
+    client.call(request("/c"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 2);
     QCOMPARE(server.seen[1]["service"], QStringLiteral("/c"));
     QCOMPARE(replies.all.size(), 2);
@@ -398,13 +398,13 @@ class TestRosbridgeCalls : public QObject {
   void withoutAConnectionACallFailsLater() {
     Client client(QUrl(QStringLiteral("ws://127.0.0.1:1")), quick());
     Replies replies;
-    client.call(request("/a"), replies.take());
+    client.call(request("/a"), replies.collect());
     QCOMPARE(replies.all.size(), 0);
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(replies.all[0].kind, Kind::LinkLost);
     QVERIFY(!replies.all[0].sent);
     client.open();
-    client.call(request("/a"), replies.take());  // waits for what is being tried
+    client.call(request("/a"), replies.collect());  // waits for what is being tried
     QTRY_COMPARE(replies.all.size(), 2);
     QCOMPARE(replies.all[1].kind, Kind::LinkLost);
     QVERIFY(!replies.all[1].sent);
@@ -417,8 +417,8 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), options);
     Replies replies;
     client.open();
-    client.call(request("/a"), replies.take());
-    client.call(request("/b"), replies.take());
+    client.call(request("/a"), replies.collect());
+    client.call(request("/b"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 1);
     server.dropAll();
     QTRY_COMPARE(replies.all.size(), 2);
@@ -427,7 +427,7 @@ class TestRosbridgeCalls : public QObject {
     QCOMPARE(replies.all[1].kind, Kind::LinkLost);
     QVERIFY(!replies.all[1].sent);
     QTRY_COMPARE(client.link().state(), State::Open);
-    client.call(request("/c"), replies.take());
+    client.call(request("/c"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 2);
   }
 
@@ -436,7 +436,7 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    client.call(request("/a"), replies.take());
+    client.call(request("/a"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 1);
     client.close();
     QCOMPARE(replies.all.size(), 0);
@@ -455,7 +455,7 @@ class TestRosbridgeCalls : public QObject {
       replies.all << answer;
       client.reset();
     });
-    client->call(request("/b"), replies.take());
+    client->call(request("/b"), replies.collect());
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(client, nullptr);
     QTRY_COMPARE(server.peers[0]->state(), QAbstractSocket::UnconnectedState);
@@ -469,9 +469,9 @@ class TestRosbridgeCalls : public QObject {
     client.open();
     QTRY_COMPARE(client.link().state(), State::Open);
     for (const char* args : {"", "[]", "{\"a\":NaN}", "{}{}", "{},\"op\":\"publish\""}) {
-      client.call(request("/a", args), replies.take());
+      client.call(request("/a", args), replies.collect());
     }
-    client.call(request(""), replies.take());
+    client.call(request(""), replies.collect());
     QTRY_COMPARE(replies.all.size(), 6);
     for (const CallAnswer& answer : replies.all) {
       QCOMPARE(answer.kind, Kind::Malformed);
@@ -486,13 +486,13 @@ class TestRosbridgeCalls : public QObject {
     Client client(server.url(), quick());
     Replies replies;
     client.open();
-    client.call(request("/small"), replies.take());
+    client.call(request("/small"), replies.collect());
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(server.peers.size(), 1);
     QCOMPARE(client.largeLink().state(), State::Closed);
     CallRequest large = request("/large");
     large.large = true;
-    client.call(large, replies.take());
+    client.call(large, replies.collect());
     QTRY_COMPARE(replies.all.size(), 2);
     QCOMPARE(replies.all[1].kind, Kind::Answered);
     QCOMPARE(server.peers.size(), 2);
@@ -500,7 +500,7 @@ class TestRosbridgeCalls : public QObject {
     QCOMPARE(server.seen[0].peer, 0);
     client.close();
     QCOMPARE(client.largeLink().state(), State::Closed);
-    client.call(large, replies.take());
+    client.call(large, replies.collect());
     QTRY_COMPARE(replies.all.size(), 3);
     QCOMPARE(replies.all[2].kind, Kind::LinkLost);
   }

@@ -20,7 +20,7 @@ namespace {
 /// A joiner that tells in short what became of each piece.
 struct Joined {
   explicit Joined(FragmentJoiner::Limits limits = {}) : joiner(limits) {}
-  QByteArray take(const QJsonValue& id, int number, double total, const QByteArray& data) {
+  QByteArray add(const QJsonValue& id, int number, double total, const QByteArray& data) {
     return onFrame(pieceFrame(id, number, total, data));
   }
   QByteArray onFrame(const QByteArray& frame) {
@@ -40,30 +40,30 @@ class TestRosbridgeFragments : public QObject {
  private Q_SLOTS:
   void theCountIsTheWholePartOfTheTotal() {
     Joined joined;
-    QCOMPARE(joined.take(0, 0, 2.99, "{"), QByteArray("(wait)"));
-    QCOMPARE(joined.take(0, 1, 2.99, "}"), QByteArray("{}"));
-    QCOMPARE(joined.take(0, 0, 1.2, "{}"), QByteArray("{}"));
+    QCOMPARE(joined.add(0, 0, 2.99, "{"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 1, 2.99, "}"), QByteArray("{}"));
+    QCOMPARE(joined.add(0, 0, 1.2, "{}"), QByteArray("{}"));
     QCOMPARE(joined.joiner.heldBytes(), std::size_t(0));
   }
 
   void aTotalThatIsOneTooManyIsNotWaitedFor() {
     Joined joined;
-    QCOMPARE(joined.take(0, 0, 3, "{\"a\":\"}"), QByteArray("(wait)"));
-    QCOMPARE(joined.take(0, 1, 3, "\\\"\"}"), QByteArray("{\"a\":\"}\\\"\"}"));
-    QCOMPARE(joined.take(0, 0, 3, "{\"a\":{"), QByteArray("(wait)"));
-    QCOMPARE(joined.take(0, 1, 3, "\"b\":1}"), QByteArray("(wait)"));
-    QCOMPARE(joined.take(0, 2, 3, "}"), QByteArray("{\"a\":{\"b\":1}}"));
+    QCOMPARE(joined.add(0, 0, 3, "{\"a\":\"}"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 1, 3, "\\\"\"}"), QByteArray("{\"a\":\"}\\\"\"}"));
+    QCOMPARE(joined.add(0, 0, 3, "{\"a\":{"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 1, 3, "\"b\":1}"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 2, 3, "}"), QByteArray("{\"a\":{\"b\":1}}"));
   }
 
   void idsMayBeNumbersTextsOrAbsent() {
     Joined joined;
-    QCOMPARE(joined.take(7, 0, 2, "a"), QByteArray("(wait)"));
-    QCOMPARE(joined.take(QStringLiteral("7"), 0, 2, "b"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(7, 0, 2, "a"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(QStringLiteral("7"), 0, 2, "b"), QByteArray("(wait)"));
     QCOMPARE(joined.onFrame(R"({"op":"fragment","num":0,"total":2,"data":"c"})"), QByteArray("(wait)"));
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(3));
     QCOMPARE(joined.onFrame(R"({"op":"fragment","num":1,"total":2,"data":"C"})"), QByteArray("cC"));
-    QCOMPARE(joined.take(QStringLiteral("7"), 1, 2, "B"), QByteArray("bB"));
-    QCOMPARE(joined.take(7, 1, 2, "A"), QByteArray("aA"));
+    QCOMPARE(joined.add(QStringLiteral("7"), 1, 2, "B"), QByteArray("bB"));
+    QCOMPARE(joined.add(7, 1, 2, "A"), QByteArray("aA"));
   }
 
   void messagesMayComeInterleavedAndTheirPiecesInAnyOrder() {
@@ -77,7 +77,7 @@ class TestRosbridgeFragments : public QObject {
     int complete = 0;
     for (const auto& [message, number] : pieces) {
       const QByteArray text =
-          joined.take(message, number, 10.5, QByteArray(1, char('a' + message)) + char('0' + number));
+          joined.add(message, number, 10.5, QByteArray(1, char('a' + message)) + char('0' + number));
       if (text == "(wait)") continue;
       ++complete;
       QByteArray expected;
@@ -90,21 +90,21 @@ class TestRosbridgeFragments : public QObject {
 
   void allIdsMayBeZero() {
     Joined joined;
-    QCOMPARE(joined.take(0, 0, 2.5, "a"), QByteArray("(wait)"));
-    QCOMPARE(joined.take(0, 0, 2.25, "x"), QByteArray("(wait)"));  // another length
-    QCOMPARE(joined.take(0, 0, 2.5, "b"), QByteArray("(wait)"));   // the same
-    QCOMPARE(joined.take(0, 1, 2.25, "X"), QByteArray("xX"));
-    QCOMPARE(joined.take(0, 1, 2.5, "A"), QByteArray("aA"));
-    QCOMPARE(joined.take(0, 1, 2.5, "B"), QByteArray("bB"));
+    QCOMPARE(joined.add(0, 0, 2.5, "a"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 0, 2.25, "x"), QByteArray("(wait)"));  // another length
+    QCOMPARE(joined.add(0, 0, 2.5, "b"), QByteArray("(wait)"));   // the same
+    QCOMPARE(joined.add(0, 1, 2.25, "X"), QByteArray("xX"));
+    QCOMPARE(joined.add(0, 1, 2.5, "A"), QByteArray("aA"));
+    QCOMPARE(joined.add(0, 1, 2.5, "B"), QByteArray("bB"));
   }
 
   void aPieceThatComesTwiceCountsOnce() {
     Joined joined;
-    QCOMPARE(joined.take(0, 0, 2.5, "a"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 0, 2.5, "a"), QByteArray("(wait)"));
     const std::size_t held = joined.joiner.heldBytes();
-    QCOMPARE(joined.take(0, 0, 2.5, "a"), QByteArray("(wait)"));
+    QCOMPARE(joined.add(0, 0, 2.5, "a"), QByteArray("(wait)"));
     QCOMPARE(joined.joiner.heldBytes(), held);
-    QCOMPARE(joined.take(0, 1, 2.5, "b"), QByteArray("ab"));
+    QCOMPARE(joined.add(0, 1, 2.5, "b"), QByteArray("ab"));
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(0));
   }
 
@@ -120,7 +120,7 @@ class TestRosbridgeFragments : public QObject {
           "7"}) {
       QVERIFY2(joined.onFrame(frame) == "(malformed)", frame);
     }
-    QCOMPARE(joined.take(QString(300, QLatin1Char('x')), 0, 2, "x"), QByteArray("(malformed)"));
+    QCOMPARE(joined.add(QString(300, QLatin1Char('x')), 0, 2, "x"), QByteArray("(malformed)"));
     QCOMPARE(joined.onFrame(R"({"id":0,"num":0,"total":1e18,"data":"x"})"), QByteArray("(too large)"));
     QCOMPARE(joined.onFrame(R"({"id":0,"num":0,"total":1e300,"data":"x"})"), QByteArray("(too large)"));
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(0));
@@ -130,16 +130,16 @@ class TestRosbridgeFragments : public QObject {
     FragmentJoiner::Limits limits;
     limits.bytes = 2000;
     Joined joined(limits);
-    QCOMPARE(joined.take(1, 0, 2, QByteArray(600, 'a')), QByteArray("(wait)"));
-    QCOMPARE(joined.take(2, 0, 2, QByteArray(600, 'b')), QByteArray("(wait)"));
-    QCOMPARE(joined.take(3, 0, 2, QByteArray(600, 'c')), QByteArray("(wait)"));
+    QCOMPARE(joined.add(1, 0, 2, QByteArray(600, 'a')), QByteArray("(wait)"));
+    QCOMPARE(joined.add(2, 0, 2, QByteArray(600, 'b')), QByteArray("(wait)"));
+    QCOMPARE(joined.add(3, 0, 2, QByteArray(600, 'c')), QByteArray("(wait)"));
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(2));
     QCOMPARE(joined.joiner.dropped(), std::uint64_t(1));
     QVERIFY(joined.joiner.heldBytes() <= 2000);
-    QCOMPARE(joined.take(2, 1, 2, "B").size(), 601);
-    QCOMPARE(joined.take(4, 0, 2, QByteArray(2000, 'd')), QByteArray("(too large)"));
+    QCOMPARE(joined.add(2, 1, 2, "B").size(), 601);
+    QCOMPARE(joined.add(4, 0, 2, QByteArray(2000, 'd')), QByteArray("(too large)"));
     // Nothing but nothings is not for free.
-    for (int i = 0; i < 1000; ++i) joined.take(5, i, 5000, "");
+    for (int i = 0; i < 1000; ++i) joined.add(5, i, 5000, "");
     QVERIFY(joined.joiner.heldBytes() <= 2000);
   }
 
@@ -147,18 +147,18 @@ class TestRosbridgeFragments : public QObject {
     FragmentJoiner::Limits limits;
     limits.messages = 4;
     Joined joined(limits);
-    for (int i = 0; i < 10; ++i) joined.take(i, 0, 2, "x");
+    for (int i = 0; i < 10; ++i) joined.add(i, 0, 2, "x");
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(4));
     QCOMPARE(joined.joiner.dropped(), std::uint64_t(6));
-    QCOMPARE(joined.take(9, 1, 2, "y"), QByteArray("xy"));
+    QCOMPARE(joined.add(9, 1, 2, "y"), QByteArray("xy"));
   }
 
   void whatWaitsTooLongIsDropped() {
     Joined joined;
-    joined.take(1, 0, 3, "a");
+    joined.add(1, 0, 3, "a");
     joined.now = milliseconds(20'000);
-    joined.take(1, 1, 3, "b");
-    joined.take(2, 0, 3, "c");
+    joined.add(1, 1, 3, "b");
+    joined.add(2, 0, 3, "c");
     joined.now = milliseconds(50'000);
     joined.joiner.expire(joined.now);
     QCOMPARE(joined.joiner.heldMessages(), std::size_t(2));

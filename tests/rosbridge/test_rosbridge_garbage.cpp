@@ -209,7 +209,7 @@ class TestRosbridgeGarbage : public QObject {
     client.subscribe(wanted);
     client.open();
     testing::Replies replies;
-    client.call(testing::request("/x"), replies.take());
+    client.call(testing::request("/x"), replies.collect());
     QTRY_COMPARE(server.seen.size(), 2);
     std::mt19937 random(15);
     const QByteArray operations[] = {textMessage(),

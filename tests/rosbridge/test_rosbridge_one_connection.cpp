@@ -91,7 +91,7 @@ class RosbridgeOneConnectionTest : public QObject {
       if (seen["op"] == QLatin1String("call_service")) server.reply(seen, R"({"map":{}})");
     };
     Replies replies;
-    guest.client.call(largeRequest(), replies.take());
+    guest.client.call(largeRequest(), replies.collect());
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(replies.all[0].kind, CallAnswer::Kind::Answered);
     const int peer = server.seen.last().peer;
@@ -127,7 +127,7 @@ class RosbridgeOneConnectionTest : public QObject {
     client.open();
     QTRY_COMPARE(client.link().state(), State::Open);
     Replies replies;
-    client.call(largeRequest(), replies.take());
+    client.call(largeRequest(), replies.collect());
     QTRY_COMPARE(replies.all.size(), 1);
     QCOMPARE(replies.all[0].kind, CallAnswer::Kind::Answered);
   }

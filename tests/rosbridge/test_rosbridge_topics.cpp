@@ -256,7 +256,7 @@ class TestRosbridgeTopics : public QObject {
     QVERIFY(said[1].contains(QLatin1String("slow")) && !said[1].contains(QLatin1Char('<')));
     QCOMPARE(said[2], QStringLiteral("5"));
     Replies replies;
-    heard.client.call(request("/a"), replies.take());
+    heard.client.call(request("/a"), replies.collect());
     QTRY_COMPARE(heard.server.seen.size(), 1);
     heard.server.say("{\"op\":\"status\",\"level\":\"error\",\"msg\":\"no such field\",\"id\":\"" +
                      heard.server.seen[0]["id"].toUtf8() + "\"}");

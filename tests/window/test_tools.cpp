@@ -48,23 +48,23 @@ struct Hand {
     camera.scale_m_per_px = 0.01;
     view.moveTo(camera, false);
     if (name == QLatin1String("region")) {
-      take<RectangleTool>(&scene, [](const auto&) { return QString(); });
+      use<RectangleTool>(&scene, [](const auto&) { return QString(); });
       count(&RectangleTool::drawn);
     } else if (name == QLatin1String("box of a cloud")) {
-      take<RegionTool>(&scene);
+      use<RegionTool>(&scene);
       count(&RegionTool::boxDrawn);
     } else if (name == QLatin1String("sphere of a cloud")) {
-      take<RegionTool>(&scene)->setShape(RegionShape::Sphere);
+      use<RegionTool>(&scene)->setShape(RegionShape::Sphere);
       count(&RegionTool::sphereDrawn);
     } else if (name == QLatin1String("section")) {
-      auto* const section = take<SectionTool>(&scene);
+      auto* const section = use<SectionTool>(&scene);
       came = [section] {
         const auto& line = section->line();
         return line ? textOf(line->from_m) + QStringLiteral(" to ") + textOf(line->to_m) : QString();
       };
     } else if (name.startsWith(QLatin1String("projection"))) {
       if (name == QLatin1String("projection that is moved")) draft.add(map::Projection{{}, {-1, -1}, {2, 2}});
-      auto* const tool_of_it = take<ProjectionTool>(&scene, &draft);
+      auto* const tool_of_it = use<ProjectionTool>(&scene, &draft);
       tool_of_it->setEditable(true, true);
       QObject::connect(tool_of_it, &ProjectionTool::drawn, &view, [this](const auto&) {
         draft.add(map::Projection{{}, {0, 0}, {1, 1}});
@@ -77,14 +77,14 @@ struct Hand {
         return all;
       };
     } else if (name == QLatin1String("reference map")) {
-      auto* const reference = take<ReferenceTool>(&scene);
+      auto* const reference = use<ReferenceTool>(&scene);
       QObject::connect(reference, &ReferenceTool::moved, &view, [this, reference](const geometry::Pose2& to) {
         pose = to;
         reference->setState({}, to, {});
       });
       came = [this] { return textOf(pose); };
     } else if (name == QLatin1String("pose")) {
-      auto* const tool_of_it = take<PoseTool>(&scene);
+      auto* const tool_of_it = use<PoseTool>(&scene);
       const auto put = [this, tool_of_it](const std::optional<geometry::Pose2>& to) {
         pose = to.value_or(geometry::Pose2{});
         tool_of_it->setPose(to);
@@ -94,19 +94,19 @@ struct Hand {
       came = [this] { return textOf(pose); };
     } else if (name.startsWith(QLatin1String("picture"))) {
       openPicture();
-      take<PictureTool>(&picture, &scene)
+      use<PictureTool>(&picture, &scene)
           ->setMode(name == QLatin1String("picture, rectangle") ? PaintMode::Rectangle : PaintMode::Line);
       came = [this] { return QString::number(picture.undoStack().count()); };
     } else if (name == QLatin1String("waypoints along a line")) {
-      auto* const line = take<LineTool>(&scene, &snapping);
+      auto* const line = use<LineTool>(&scene, &snapping);
       came = [line] { return QString::number(line->ready()); };
     } else if (name.startsWith(QLatin1String("waypoint")) || name == QLatin1String("mirror")) {
       // What lies on a mirror stays where it is.
       openWaypoints(name == QLatin1String("mirror") ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(0, 0));
       if (name == QLatin1String("mirror")) {
-        take<MirrorTool>(&waypoints, &scene, &snapping);
+        use<MirrorTool>(&waypoints, &scene, &snapping);
       } else {
-        take<WaypointTool>(&waypoints, &scene, &hits, &snapping);
+        use<WaypointTool>(&waypoints, &scene, &hits, &snapping);
       }
       came = [this] {
         return textOf(waypoints.find("a")->position_m) +
@@ -117,7 +117,7 @@ struct Hand {
           R"({"type":"FeatureCollection","features":[{"id":"p1","type":"Feature","geometry":{"type":"Point",)"
           R"("coordinates":[0,0]},"properties":{"type":"25"}}]})"));
       on_map.setMap(map::MapKey{map::MapKind::Stored, "1"}, false);
-      auto* const tool_of_it = take<OverlayTool>(&overlays, &scene, &on_map, &overlay_snapping);
+      auto* const tool_of_it = use<OverlayTool>(&overlays, &scene, &on_map, &overlay_snapping);
       if (name == QLatin1String("overlay that is turned")) {
         overlays.select({0});
         from = tool_of_it->handle()->toPoint();
@@ -136,7 +136,7 @@ struct Hand {
   ~Hand() { view.setTool(&nothing); }
 
   template <typename Tool, typename... With>
-  Tool* take(With... with) {
+  Tool* use(With... with) {
     auto made = std::make_unique<Tool>(with...);
     auto* const kept = made.get();
     tool = std::move(made);

@@ -122,12 +122,12 @@ constexpr CellRect kSpot{30, 40, 34, 44};
 class ShownFolders : public QObject {
   Q_OBJECT
  public:
-  ShownFolders() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take"); }
+  ShownFolders() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "addFolder"); }
   ~ShownFolders() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
   QStringList folders;
 
  public Q_SLOTS:
-  void take(const QUrl& url) { folders << url.toLocalFile(); }
+  void addFolder(const QUrl& url) { folders << url.toLocalFile(); }
 };
 
 }  // namespace

@@ -187,27 +187,27 @@ class TestWindowPicture : public QObject {
     Desk desk;
     desk.open();
     const auto cell = [&](int x, int y) { return int(desk.cells().at(x, y)); };
-    const auto take = [&](PaintMode mode) { desk.dock().modeButton(mode)->click(); };
+    const auto choose = [&](PaintMode mode) { desk.dock().modeButton(mode)->click(); };
     desk.dock().kindButton(Kind::Occupied)->click();
-    take(PaintMode::Line);
+    choose(PaintMode::Line);
     desk.drag(desk.px(10, 20), desk.px(110, 20));
     QCOMPARE(cell(60, 20), 100);
-    take(PaintMode::Rectangle);
+    choose(PaintMode::Rectangle);
     desk.drag(desk.px(10, 40), desk.px(30, 60));
     QCOMPARE(cell(20, 50), 100);
-    take(PaintMode::Polygon);
+    choose(PaintMode::Polygon);
     for (const auto& [x, y] : {std::pair{200, 200}, {300, 200}, {250, 280}, {200, 200}}) {
       desk.moveTo(desk.px(x, y));
       desk.click(desk.px(x, y));
     }
     QCOMPARE(cell(250, 230), 100);
     QCOMPARE(cell(210, 270), 0);
-    take(PaintMode::Fill);
+    choose(PaintMode::Fill);
     desk.dock().kindButton(Kind::Unknown)->click();
     desk.click(desk.px(350, 100));
     QCOMPARE(cell(5, 5), 255);
     QCOMPARE(cell(250, 230), 100);
-    take(PaintMode::Eraser);
+    choose(PaintMode::Eraser);
     desk.dock().sizeBox()->setValue(20);
     desk.drag(desk.px(240, 230), desk.px(260, 230));
     QCOMPARE(cell(250, 230), 0);

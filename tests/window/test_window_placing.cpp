@@ -74,7 +74,7 @@ struct Desk : test::Bench {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
     return {qRound(at.x()), qRound(at.y())};
   }
-  void take() {
+  void chooseTool() {
     key(Qt::Key_W);
     QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
   }
@@ -117,7 +117,7 @@ class TestWindowPlacing : public QObject {
     Desk desk;
     desk.store.points.push_back(waypoint("c", 1.5, 1.2, "Gate"));
     desk.start();
-    desk.take();
+    desk.chooseTool();
     const Eigen::Vector2d center = desk.window->mapScene()->view().center_m;
     desk.drag(desk.px(0.7, 1.6), desk.px(1.8, 0.8), Qt::ShiftModifier);
     QCOMPARE(desk.editing().selected(), (std::set<edit::Key>{"a", "c"}));
@@ -136,7 +136,7 @@ class TestWindowPlacing : public QObject {
     Desk desk;
     desk.store.points.push_back(waypoint("c", 1.5, 1.2, "Gate"));
     desk.start();
-    desk.take();
+    desk.chooseTool();
     geometry::ViewTransform camera = desk.window->mapScene()->view();
     camera.rotation_rad = geometry::radiansFromDegrees(40);
     desk.window->view()->moveTo(camera, false);
@@ -148,7 +148,7 @@ class TestWindowPlacing : public QObject {
   void allAreSelectedAndTheSelectionIsInverted() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.key(Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(desk.editing().selected().size(), std::size_t(2));
     desk.editing().select({"a"});
@@ -161,7 +161,7 @@ class TestWindowPlacing : public QObject {
     desk.store.points = {waypoint("a", 1, 1.5, "Dock"), waypoint("b", 3, 1.5, "Kitchen")};
     desk.store.points[0].yaw_rad = 0;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.editing().select({"a", "b"});
     const auto handle = desk.control().tool()->handle();
     QVERIFY(handle);
@@ -179,7 +179,7 @@ class TestWindowPlacing : public QObject {
   void theTurnOfAGroupIsSeenAndEscCancelsIt() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.editing().select({"a", "b"});
     const QPoint handle = desk.control().tool()->handle()->toPoint();
     QTest::mousePress(desk.window->view()->viewport(), Qt::LeftButton, {}, handle);
@@ -196,7 +196,7 @@ class TestWindowPlacing : public QObject {
   void aDragIsCaughtByTheLinesOfOthers() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     // b comes to the x of a: five centimetres beside are five pixels.
     desk.drag(desk.px(3, 2), desk.px(1.05, 2.4), {});
     QCOMPARE(desk.editing().find("b")->position_m.x(), 1.0);
@@ -213,7 +213,7 @@ class TestWindowPlacing : public QObject {
   void aDragIsCaughtAtItsDistanceFromAWall() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.action("snapWaypoints")->trigger();
     desk.action("snapWalls")->trigger();
     desk.drag(desk.px(3, 2), desk.px(0.8, 2.4), {});
@@ -223,7 +223,7 @@ class TestWindowPlacing : public QObject {
   void aGuideIsSeenBeforeAClick() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.moveTo(desk.px(2, 1.5), {}, Qt::NoButton);
     const QImage without = desk.window->view()->grab().toImage();
     desk.moveTo(desk.px(2.4, 1.04), {}, Qt::NoButton);
@@ -453,7 +453,7 @@ class TestWindowPlacing : public QObject {
   void aWarningComesWhileTheHandMoves() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     QTest::mousePress(desk.window->view()->viewport(), Qt::LeftButton, Qt::AltModifier, desk.px(1, 1));
     desk.moveTo(desk.px(0.6, 1.2), Qt::AltModifier);
     desk.moveTo(desk.px(0.4, 1.2), Qt::AltModifier);
@@ -507,7 +507,7 @@ class TestWindowPlacing : public QObject {
                                            0.5 + (i / 40) * 0.05, "P" + std::to_string(i)));
     desk.start();
     desk.editing().selectAll();
-    desk.take();
+    desk.chooseTool();
     const QImage before = part<ExportController>(*desk.window)->mapPicture();
     QTest::mousePress(desk.window->view()->viewport(), Qt::LeftButton, Qt::AltModifier, desk.px(0.5, 0.5));
     desk.moveTo(desk.px(0.7, 0.5), Qt::AltModifier);

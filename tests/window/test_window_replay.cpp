@@ -1240,7 +1240,7 @@ class TestWindowReplay : public QObject {
     desk.window->session()->openMap(key);
     QTRY_COMPARE(desk.window->session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
     QStringList told;
-    const auto tell = [&](const char* words) {
+    const auto said = [&](const char* words) {
       for (const QString& text : part<MapOverlay>(*desk.window)->toasts()->texts()) {
         if (!told.contains(text)) told << text;
       }
@@ -1248,8 +1248,8 @@ class TestWindowReplay : public QObject {
                          [&](const QString& text) { return text.contains(QLatin1String(words)); });
     };
     desk.sim.dropWebSockets();
-    QTRY_VERIFY(tell("the connection was lost"));
-    QTRY_VERIFY(tell("recording continues"));
+    QTRY_VERIFY(said("the connection was lost"));
+    QTRY_VERIFY(said("recording continues"));
     QTRY_VERIFY(!recorder->shown().contains(QStringLiteral("no connection")));
     const auto hasMap = [&] {
       const auto source = recording::openRecording(path.toStdString());
@@ -1260,7 +1260,7 @@ class TestWindowReplay : public QObject {
     };
     QTRY_VERIFY(hasMap());
     recorder->stop();
-    QTRY_VERIFY(tell("but it is incomplete: the connection was lost, times: 1."));
+    QTRY_VERIFY(said("but it is incomplete: the connection was lost, times: 1."));
     // And is played from there.
     QSignalSpy play(recorder, &RecordingController::playWanted);
     const auto buttons = part<MapOverlay>(*desk.window)->toasts()->findChildren<QPushButton*>();

@@ -332,7 +332,7 @@ class TestWindowSeveral : public QObject {
     Corridor desk;
     desk.store.points[0].yaw_rad = 0;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.editing().select({"a", "b"});
     desk.action("mirrorWaypointsLine")->trigger();
     QCOMPARE(desk.window->view()->tool(),

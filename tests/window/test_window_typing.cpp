@@ -39,7 +39,7 @@ struct Desk : test::WaypointsDesk {
   void place() {
     start();
     bringUp();
-    take();
+    chooseTool();
     click(px(2, 2));
     QVERIFY(control().nameEditor()->hasFocus());
   }
@@ -212,7 +212,7 @@ class TestWindowTyping : public QObject {
   void aClickOfAnUnsteadyHandIsAClick() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     const geometry::ViewTransform view = desk.window->mapScene()->view();
     desk.press(desk.px(2, 2));
     desk.moveTo(desk.px(2, 2) + QPoint(5, 3));

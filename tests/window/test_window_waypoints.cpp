@@ -90,7 +90,7 @@ class TestWindowWaypoints : public QObject {
       desk.store.points = {waypoint("a", 1, 1, name)};
       desk.store.points[0].yaw_rad = 0;  // to where names stand
       desk.start();
-      desk.take();
+      desk.chooseTool();
       desk.editing().select({"a"});
       QCoreApplication::processEvents();
       const auto frames = desk.window->view()->findChildren<QFrame*>(QStringLiteral("furniture"));
@@ -119,7 +119,7 @@ class TestWindowWaypoints : public QObject {
   void aClickAddsOneAndOffersItsName() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(2, 2));
     QCOMPARE(desk.items().size(), std::size_t(3));
     NameEditor* const editor = desk.control().nameEditor();
@@ -142,7 +142,7 @@ class TestWindowWaypoints : public QObject {
   void escKeepsTheNameThatWasOffered() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(2, 2));
     QTest::keyClicks(desk.control().nameEditor(), QStringLiteral("x"));
     QTest::keyClick(desk.control().nameEditor(), Qt::Key_Escape);
@@ -154,7 +154,7 @@ class TestWindowWaypoints : public QObject {
   void aClickSelectsAndADragMoves() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(1, 1));
     QCOMPARE(desk.items().size(), std::size_t(2));
     QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"a"});
@@ -173,7 +173,7 @@ class TestWindowWaypoints : public QObject {
   void severalMoveTogether() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(1, 1));
     desk.click(desk.px(3, 2), Qt::ShiftModifier);
     QCOMPARE(desk.editing().selected().size(), std::size_t(2));
@@ -185,7 +185,7 @@ class TestWindowWaypoints : public QObject {
   void aDragIsSeenAndEscCancelsIt() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     const QImage before = part<ExportController>(*desk.window)->mapPicture();
     desk.press(desk.px(1, 1));
     desk.moveTo(desk.px(1.5, 2.5), Qt::AltModifier);
@@ -204,7 +204,7 @@ class TestWindowWaypoints : public QObject {
   void theHandleTurns() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(1, 1));
     const auto handle = desk.control().tool()->handle();
     QVERIFY(handle);
@@ -220,7 +220,7 @@ class TestWindowWaypoints : public QObject {
   void theNextOneMayLieWhereTheHandleIs() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(0.5, 2));
     QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Corr 1"));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
@@ -257,7 +257,7 @@ class TestWindowWaypoints : public QObject {
   void theLineForTheNameGoesAlongWithTheMap() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(2, 2));
     NameEditor* const editor = desk.control().nameEditor();
     QTest::keyClicks(editor, QStringLiteral("Co"));
@@ -303,7 +303,7 @@ class TestWindowWaypoints : public QObject {
     Desk desk;
     desk.store.points = {waypoint("a", 1, 1.1, "Dock"), waypoint("b", 3.123456789, 2, "Kitchen")};
     desk.start();
-    desk.take();
+    desk.chooseTool();
     std::mt19937 dice(7);
     const auto shortest = [](double number) {
       return QString::number(number, 'g', QLocale::FloatingPointShortest);
@@ -325,7 +325,7 @@ class TestWindowWaypoints : public QObject {
   void keysNudgeRenameAndDelete() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     const double cell = desk.editing().cell();
     desk.click(desk.px(1, 1));
     const Eigen::Vector2d center = desk.window->mapScene()->view().center_m;
@@ -352,7 +352,7 @@ class TestWindowWaypoints : public QObject {
   void spaceIsAHandThatGivesBackTheTool() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     const Eigen::Vector2d center = desk.window->mapScene()->view().center_m;
     QTest::keyPress(desk.window->view(), Qt::Key_Space);
     QVERIFY(desk.window->view()->activeTool() != desk.control().tool());
@@ -418,7 +418,7 @@ class TestWindowWaypoints : public QObject {
   void whatIsBeingTypedOnTheMapIsInTheListAtOnce() {
     Desk desk;
     desk.start();
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(2, 2));
     QTest::keyClicks(desk.control().nameEditor(), QStringLiteral("Li"));
     QCOMPARE(desk.editing().only()->name, std::string("Li"));
@@ -455,7 +455,7 @@ class TestWindowWaypoints : public QObject {
     desk.start();
     QVERIFY(!desk.action("save")->isEnabled());
     const QString title = desk.window->windowTitle();
-    desk.take();
+    desk.chooseTool();
     desk.drag(desk.px(1, 1), desk.px(1.5, 1));
     QCOMPARE(desk.window->windowTitle(), QStringLiteral("• ") + title);
     QVERIFY(desk.action("save")->isEnabled());
@@ -718,7 +718,7 @@ class TestWindowWaypoints : public QObject {
     desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
     QVERIFY(part<ExportController>(*desk.window)->mapPicture() != with);
     desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, true);
-    desk.take();
+    desk.chooseTool();
     const map::Waypoint& one = desk.items().begin()->second;
     desk.click(desk.px(one.position_m.x(), one.position_m.y()));
     QCOMPARE(desk.editing().selected(), std::set<edit::Key>{desk.items().begin()->first});
@@ -767,7 +767,7 @@ class TestWindowWaypoints : public QObject {
     QVERIFY(!desk.editing().editable());
     QVERIFY(!desk.dock().addButton()->isEnabled());
     QVERIFY(desk.dock().statusShown().contains(QLatin1String("read-only")));
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(2, 0.5));
     desk.drag(desk.px(1, 1), desk.px(1.5, 1));
     QVERIFY(desk.near("7", 1, 1));
@@ -786,7 +786,7 @@ class TestWindowWaypoints : public QObject {
     auto* const remove = desk.dock().findChild<QPushButton*>(QStringLiteral("deleteWaypoints"));
     QVERIFY(remove && !remove->isEnabled());
     QVERIFY2(remove->toolTip().contains(QLatin1String("cannot be deleted")), qPrintable(remove->toolTip()));
-    desk.take();
+    desk.chooseTool();
     desk.editing().select({"a"});
     desk.key(Qt::Key_Delete);
     QCOMPARE(desk.items().size(), std::size_t(2));
@@ -880,7 +880,7 @@ class TestWindowWaypoints : public QObject {
     desk.start();
     QCOMPARE(desk.dock().model()->rowCount(), 10'000);
     desk.window->view()->lookAt({50, 50}, false);
-    desk.take();
+    desk.chooseTool();
     desk.click(desk.px(50, 50));
     QCOMPARE(desk.editing().only()->position_m, Eigen::Vector2d(50, 50));
     const edit::Key gone = *desk.editing().selected().begin();

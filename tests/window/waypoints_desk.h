@@ -68,7 +68,7 @@ struct WaypointsDesk : Bench {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
     return {qRound(at.x()), qRound(at.y())};
   }
-  void take() {
+  void chooseTool() {
     key(Qt::Key_W);
     QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
   }

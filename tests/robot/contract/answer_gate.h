@@ -19,7 +19,7 @@ class AnswerGate {
     server_.listen(QHostAddress::LocalHost);
     port_ = server_.serverPort();
     QObject::connect(&server_, &QTcpServer::newConnection, &server_, [this] {
-      while (QTcpSocket* asker = server_.nextPendingConnection()) take(asker);
+      while (QTcpSocket* asker = server_.nextPendingConnection()) onConnection(asker);
     });
   }
 
@@ -48,7 +48,7 @@ class AnswerGate {
   }
 
  private:
-  void take(QTcpSocket* asker) {
+  void onConnection(QTcpSocket* asker) {
     auto* robot = new QTcpSocket(asker);
     QObject::connect(asker, &QTcpSocket::disconnected, asker, &QObject::deleteLater);
     QObject::connect(asker, &QTcpSocket::readyRead, robot, [this, asker, robot] {

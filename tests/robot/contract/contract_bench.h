@@ -156,18 +156,18 @@ class Bench {
       return [end](const auto& outcome) { end(outcome ? Ended() : Ended(outcome.error())); };
     };
     if (auto* maps = robot->mapCatalogue()) {
-      all.push_back({"list", [=](auto end) { return maps->list(tell(end)); }});
-      all.push_back({"describe", [=, of = key](auto end) { return maps->describe(of, tell(end)); }});
-      all.push_back({"thumbnail", [=, of = key](auto end) { return maps->thumbnail(of, tell(end)); }});
+      all.push_back({"list", [=](auto end) { return maps->list(passTo(end)); }});
+      all.push_back({"describe", [=, of = key](auto end) { return maps->describe(of, passTo(end)); }});
+      all.push_back({"thumbnail", [=, of = key](auto end) { return maps->thumbnail(of, passTo(end)); }});
     }
     if (auto* whole = robot->wholeMapSource())
-      all.push_back({"whole map", [=, of = key](auto end) { return whole->fetch(of, tell(end)); }});
+      all.push_back({"whole map", [=, of = key](auto end) { return whole->fetch(of, passTo(end)); }});
     if (auto* overview = robot->overviewSource())
-      all.push_back({"overview", [=](auto end) { return overview->fetchOverview(0.2, tell(end)); }});
+      all.push_back({"overview", [=](auto end) { return overview->fetchOverview(0.2, passTo(end)); }});
     if (auto* points = robot->waypointSource())
-      all.push_back({"waypoints", [=, of = key](auto end) { return points->waypoints(of, tell(end)); }});
+      all.push_back({"waypoints", [=, of = key](auto end) { return points->waypoints(of, passTo(end)); }});
     if (auto* store = robot->waypointStore())
-      all.push_back({"stored waypoints", [=, of = key](auto end) { return store->read(of, tell(end)); }});
+      all.push_back({"stored waypoints", [=, of = key](auto end) { return store->read(of, passTo(end)); }});
     if (auto* submaps = robot->submapSource()) {
       const std::string uuid = robot_itself ? robot_itself->uuid() : std::string("u");
       all.push_back({"submap", [=](auto end) {
@@ -183,41 +183,42 @@ class Bench {
     if (auto* dispatch = robot->mapDispatch()) {
       const map::GridRegion square{{0, 0}, {2, 2}};
       const map::CloudRegion box{{0, 0, 1}, 0, {2, 2, 2}};
-      all.push_back({"region", [=](auto end) { return dispatch->grid(square, tell(end)); }});
-      all.push_back({"points", [=](auto end) { return dispatch->cloud(CloudKind::Points, box, tell(end)); }});
+      all.push_back({"region", [=](auto end) { return dispatch->grid(square, passTo(end)); }});
+      all.push_back(
+          {"points", [=](auto end) { return dispatch->cloud(CloudKind::Points, box, passTo(end)); }});
       all.push_back({"voxels", [=](auto end) {
-                       return dispatch->cloud(CloudKind::Occupancy, std::nullopt, tell(end));
+                       return dispatch->cloud(CloudKind::Occupancy, std::nullopt, passTo(end));
                      }});
-      all.push_back({"projections", [=](auto end) { return dispatch->projections(tell(end)); }});
+      all.push_back({"projections", [=](auto end) { return dispatch->projections(passTo(end)); }});
     }
     if (auto* bags = robot->bagLibrary(); bags && adapter_ == Adapter::Recorded) {
       const BagKey bag{BagKind::File, recorded::bagNameOf(recordingPath())};
-      all.push_back({"bags", [=](auto end) { return bags->list(tell(end)); }});
-      all.push_back({"bag", [=](auto end) { return bags->info(bag, tell(end)); }});
-      all.push_back({"messages", [=](auto end) { return bags->messages(bag, {0, 100}, tell(end)); }});
-      all.push_back({"bag's removal", [=](auto end) { return bags->remove(bag, tell(end)); }});
+      all.push_back({"bags", [=](auto end) { return bags->list(passTo(end)); }});
+      all.push_back({"bag", [=](auto end) { return bags->info(bag, passTo(end)); }});
+      all.push_back({"messages", [=](auto end) { return bags->messages(bag, {0, 100}, passTo(end)); }});
+      all.push_back({"bag's removal", [=](auto end) { return bags->remove(bag, passTo(end)); }});
     }
     if (auto* pictures = robot->pictureStore()) {
       all.push_back({"picture",
                      [=, of = key, wanted = picture](auto end) {
-                       return pictures->write({of, wanted.cells, wanted.revision}, tell(end));
+                       return pictures->write({of, wanted.cells, wanted.revision}, passTo(end));
                      },
                      true});
     }
     if (auto* transfer = robot->mapTransfer()) {
-      all.push_back({"parts", [=, of = key](auto end) { return transfer->parts(of, tell(end)); }});
+      all.push_back({"parts", [=, of = key](auto end) { return transfer->parts(of, passTo(end)); }});
     }
     if (auto* maps = robot->mapAdministration()) {
       if (maps->tellsProgress())
-        all.push_back({"mapping", [=](auto end) { return maps->progress(tell(end)); }});
+        all.push_back({"mapping", [=](auto end) { return maps->progress(passTo(end)); }});
       all.push_back({"rename",
                      [=, of = key](auto end) {
-                       return maps->carryOut({MapChange::Rename, of, "Lobby"}, tell(end));
+                       return maps->carryOut({MapChange::Rename, of, "Lobby"}, passTo(end));
                      },
                      true});
       all.push_back({"load",
                      [=, of = key](auto end) {
-                       return maps->carryOut({MapChange::Load, of}, tell(end));
+                       return maps->carryOut({MapChange::Load, of}, passTo(end));
                      },
                      true});
     }
