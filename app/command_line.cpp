@@ -17,6 +17,7 @@
 
 #include "app/command_text.h"
 #include "app/commands.h"
+#include "app/crash_report.h"
 #include "app/display.h"
 #include "app/examples.h"
 #include "app/kept_overlays.h"
@@ -216,6 +217,7 @@ int commandLine(int argc, char** argv) {
   // A write error is reported as a sentence; it must not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  reportCrashes();
   ignoreRelativeFolders();
   makeOwnFoldersPrivate();
   try {

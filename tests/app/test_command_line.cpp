@@ -1,4 +1,6 @@
 // The program as a script sees it: exit codes, one line on stderr, files.
+#include <csignal>
+
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -37,6 +39,21 @@ class CommandLineTest : public QObject {
     QVERIFY(run({QStringLiteral("simulate"), QStringLiteral("--help")})
                 .out.contains(QStringLiteral("--corrupt-rate")));
     QVERIFY(run({QStringLiteral("--version")}).out.startsWith(QStringLiteral("mapwright ")));
+  }
+
+  void aCrashIsSaidWithTheCallsThatLedToIt() {
+    QProcess process;
+    process.setProcessEnvironment(program_.environment());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
+                  {QStringLiteral("simulate"), QStringLiteral("--port=0")});
+    QVERIFY(QTest::qWaitFor([&] { return process.bytesAvailable() > 0; }, 60'000));  // its address
+    ::kill(pid_t(process.processId()), SIGABRT);
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+    QCOMPARE(process.exitCode(), SIGABRT);
+    const QByteArray said = process.readAllStandardError();
+    QVERIFY2(said.contains("mapwright crashed."), said.constData());
+    QVERIFY2(said.count('\n') > 3 && said.contains("libc.so"), said.constData());
   }
 
   void wrongUsageIsOneLineAndExitCodeTwo_data() {

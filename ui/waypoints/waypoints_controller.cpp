@@ -222,7 +222,8 @@ void WaypointsController::openList(const map::MapKey& key) {
   connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::onSavingChanged);
   followDrafts(*list_);
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
-    if (!list_->submission().rows().empty()) reportSaving(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
+    if (!list_->submission().rows().empty())
+      reportSaving(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
     onAllSaved();
   });
   connect(&list_->document(), &edit::WaypointDocument::changed, this, &WaypointsController::onChange);
