@@ -26,8 +26,8 @@ class Lines : public Writing {
 
   std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
-    for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-      const robot::BagMessage& message = chunk.at(place);
+    for (std::size_t i = 0; i < chunk.order.size(); ++i) {
+      const robot::BagMessage& message = chunk.at(i);
       if (!order_.span.holds(message.message.received_s)) continue;
       if (!isOneOf(order_.topics, message.message.topic)) continue;
       file_.write(jsonLine(chunk.source->textOf(message)));
@@ -68,8 +68,8 @@ class Mcap : public Writing {
 
   std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
-    for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-      const robot::BagMessage& message = chunk.at(place);
+    for (std::size_t i = 0; i < chunk.order.size(); ++i) {
+      const robot::BagMessage& message = chunk.at(i);
       const std::string& topic = message.message.topic;
       const double stamp_s = message.message.received_s;
       if (!isOneOf(order_.topics, topic) || (span_.to_s && stamp_s > *span_.to_s)) continue;

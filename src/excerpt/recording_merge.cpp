@@ -184,12 +184,12 @@ class Merge {
   }
 
   std::optional<disk::FileError> attach() {
-    std::vector<std::pair<std::size_t, const recording::AttachmentPlace*>> places;
+    std::vector<std::pair<std::size_t, const recording::AttachmentLocation*>> locations;
     for (std::size_t of = 0; of < sources_.size(); ++of) {
-      for (const recording::AttachmentPlace& place : sources_[of]->attachments())
-        places.emplace_back(of, &place);
+      for (const recording::AttachmentLocation& location : sources_[of]->attachments())
+        locations.emplace_back(of, &location);
     }
-    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+    std::stable_sort(locations.begin(), locations.end(), [](const auto& a, const auto& b) {
       return a.second->log_time_ns < b.second->log_time_ns;
     });
     Once<std::tuple<std::string, std::string, std::int64_t, std::int64_t, std::string>> once;
@@ -198,8 +198,8 @@ class Merge {
       std::set<std::size_t> files;  // that hold it
     };
     std::map<std::string, Last> last_of;  // by name
-    for (const auto& [of, place] : places) {
-      const auto attachment = sources_[of]->attachment(*place);
+    for (const auto& [of, location] : locations) {
+      const auto attachment = sources_[of]->attachment(*location);
       if (!attachment) continue;  // it is damaged, and useless there
       const recording::Attachment& it = *attachment;
       std::string content = digestOf(it.bytes.data(), it.bytes.size());

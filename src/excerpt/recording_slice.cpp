@@ -79,14 +79,14 @@ class Slice {
   Done attach(std::int64_t to_ns) {
     if (ended_) return {};
     // Of attachments fetched only later the first one counts (recorder/layout.h).
-    std::map<std::string, const recording::AttachmentPlace*> first_of;
-    for (const recording::AttachmentPlace& place : source_.attachments()) {
-      const auto [first, is_new] = first_of.try_emplace(place.name, &place);
-      if (!is_new && place.log_time_ns < first->second->log_time_ns) first->second = &place;
+    std::map<std::string, const recording::AttachmentLocation*> first_of;
+    for (const recording::AttachmentLocation& location : source_.attachments()) {
+      const auto [first, is_new] = first_of.try_emplace(location.name, &location);
+      if (!is_new && location.log_time_ns < first->second->log_time_ns) first->second = &location;
     }
-    for (const recording::AttachmentPlace& place : source_.attachments()) {
-      if (place.log_time_ns > to_ns && first_of.at(place.name) != &place) continue;
-      const auto attachment = source_.attachment(place);
+    for (const recording::AttachmentLocation& location : source_.attachments()) {
+      if (location.log_time_ns > to_ns && first_of.at(location.name) != &location) continue;
+      const auto attachment = source_.attachment(location);
       if (!attachment) continue;  // it is damaged, and useless there
       if (auto done = checked(file_.writer().attach(*attachment)); !done) return done;
       ++done_.attachments;

@@ -77,7 +77,7 @@ class ChunkCursor final : public Cursor {
     bool operator()(const Head& a, const Head& b) const;
   };
   bool wants(std::uint32_t channel);
-  bool mayHold(const ChunkPlace& place);
+  bool mayHold(const ChunkLocation& location);
   void openThose();
   /// Adds the first matching message from `entry` on (in reading direction) to the heads.
   void push(std::uint32_t chunk, const UnpackedChunk& unpacked, std::size_t entry);
@@ -114,19 +114,20 @@ bool ChunkCursor::wants(std::uint32_t channel) {
   return wanted_[channel] = choice_.takes(*known->second);
 }
 
-bool ChunkCursor::mayHold(const ChunkPlace& place) {
-  if (place.first_ns > place.last_ns || place.last_ns < query_.first_ns || place.first_ns > query_.last_ns) {
+bool ChunkCursor::mayHold(const ChunkLocation& location) {
+  if (location.first_ns > location.last_ns || location.last_ns < query_.first_ns ||
+      location.first_ns > query_.last_ns) {
     return false;
   }
-  if (choice_.all() || !place.channels_known) return true;
-  return std::any_of(place.shares.begin(), place.shares.end(), [&](const ChannelShare& share) {
+  if (choice_.all() || !location.channels_known) return true;
+  return std::any_of(location.shares.begin(), location.shares.end(), [&](const ChannelShare& share) {
     return !source_.channels_.contains(share.channel) || wants(share.channel);
   });
 }
 
 void ChunkCursor::push(std::uint32_t chunk, const UnpackedChunk& unpacked, std::size_t entry) {
   const auto& entries = unpacked.entries;
-  // Backwards the place before the first one is size_t's highest.
+  // Backwards the index before the first one is size_t's highest.
   for (std::size_t i = entry; i < entries.size(); query_.backwards ? --i : ++i) {
     if (query_.backwards ? entries[i].log_ns < query_.first_ns : entries[i].log_ns > query_.last_ns) return;
     if (!wants(entries[i].channel)) continue;
@@ -138,10 +139,10 @@ void ChunkCursor::push(std::uint32_t chunk, const UnpackedChunk& unpacked, std::
 void ChunkCursor::openThose() {
   while (!waiting_.empty()) {
     const std::uint32_t chunk = waiting_.back();
-    const ChunkPlace& place = source_.chunks_[chunk];
+    const ChunkLocation& location = source_.chunks_[chunk];
     if (!heads_.empty()) {
       const std::int64_t now = heads_.top().log_ns;
-      if (query_.backwards ? place.last_ns < now : place.first_ns > now) return;
+      if (query_.backwards ? location.last_ns < now : location.first_ns > now) return;
     }
     waiting_.pop_back();
     const UnpackedPtr unpacked = source_.unpacked(chunk);
@@ -175,22 +176,22 @@ std::optional<Message> ChunkCursor::next() {
   }
 }
 
-const ChannelShare* ChunkPlace::shareOf(std::uint32_t channel) const {
+const ChannelShare* ChunkLocation::shareOf(std::uint32_t channel) const {
   const auto found = std::lower_bound(shares.begin(), shares.end(), ChannelShare{channel}, byChannel);
   return found != shares.end() && found->channel == channel ? &*found : nullptr;
 }
 
-ChannelShare& ChunkPlace::share(std::uint32_t channel) {
+ChannelShare& ChunkLocation::share(std::uint32_t channel) {
   const auto found = std::lower_bound(shares.begin(), shares.end(), ChannelShare{channel}, byChannel);
   return found != shares.end() && found->channel == channel ? *found : *shares.insert(found, {channel});
 }
 
-void ChunkPlace::forgetTimes() {
+void ChunkLocation::forgetTimes() {
   first_ns = 1;
   last_ns = 0;
 }
 
-void ChunkPlace::include(std::int64_t time_ns) {
+void ChunkLocation::include(std::int64_t time_ns) {
   const bool first = first_ns > last_ns;
   first_ns = first ? time_ns : std::min(first_ns, time_ns);
   last_ns = first ? time_ns : std::max(last_ns, time_ns);
@@ -199,7 +200,7 @@ void ChunkPlace::include(std::int64_t time_ns) {
 Summary ChunkedSource::summary() const {
   Summary summary = about_;
   summary.chunks = std::size_t(
-      std::count_if(chunks_.begin(), chunks_.end(), [](const ChunkPlace& chunk) { return !chunk.bare; }));
+      std::count_if(chunks_.begin(), chunks_.end(), [](const ChunkLocation& chunk) { return !chunk.bare; }));
   summary.notes = notes_.all();
   return summary;
 }
@@ -225,17 +226,17 @@ void ChunkedSource::addChannel(Channel channel, std::uint64_t offset) {
   }
 }
 
-void ChunkedSource::addChunk(ChunkPlace place) {
-  if (!std::is_sorted(place.shares.begin(), place.shares.end(), byChannel)) {
-    std::sort(place.shares.begin(), place.shares.end(), byChannel);
+void ChunkedSource::addChunk(ChunkLocation location) {
+  if (!std::is_sorted(location.shares.begin(), location.shares.end(), byChannel)) {
+    std::sort(location.shares.begin(), location.shares.end(), byChannel);
   }
-  chunks_.push_back(std::move(place));
+  chunks_.push_back(std::move(location));
   latest_first_.clear();
 }
 
 void ChunkedSource::sortChunks() {
   std::sort(chunks_.begin(), chunks_.end(),
-            [](const ChunkPlace& a, const ChunkPlace& b) { return a.offset < b.offset; });
+            [](const ChunkLocation& a, const ChunkLocation& b) { return a.offset < b.offset; });
   forgetOrder();
 }
 
@@ -261,7 +262,7 @@ bool ChunkedSource::refresh() {
   notes_.drop(NoteCode::CutOff);
   notes_.drop(NoteCode::NotFinished);
   about_.bytes = size;
-  const ChunkPlace* const last = chunks_.empty() ? nullptr : &chunks_.back();
+  const ChunkLocation* const last = chunks_.empty() ? nullptr : &chunks_.back();
   indexes_follow_ = last != nullptr && !last->bare && last->offset + last->length == scanned_to_;
   scanned_to_ = scan(scanned_to_, size);
   if (scanned_to_ < size) notes_.add(NoteCode::CutOff, scanned_to_);
@@ -292,14 +293,14 @@ std::uint64_t ChunkedSource::scan(std::uint64_t from, std::uint64_t to) {
   return from;
 }
 
-void ChunkedSource::addScanned(ChunkPlace place) {
-  addChunk(std::move(place));
+void ChunkedSource::addScanned(ChunkLocation location) {
+  addChunk(std::move(location));
   indexes_follow_ = true;
 }
 
 void ChunkedSource::settleChunk(bool doubtful) {
   if (!std::exchange(indexes_follow_, false)) return;
-  ChunkPlace& chunk = chunks_.back();
+  ChunkLocation& chunk = chunks_.back();
   if (chunk.channels_known) return;
   chunk.channels_known =
       !chunk.shares.empty() && !doubtful && chunk.first_ns <= chunk.last_ns &&
@@ -317,14 +318,14 @@ void ChunkedSource::addBare(std::uint64_t at, std::uint64_t bytes, std::uint32_t
                        chunks_.back().offset + chunks_.back().length == at &&
                        chunks_.back().length + bytes <= kMostBare;
   if (!goes_on) {
-    ChunkPlace place;
-    place.offset = at;
-    place.bare = true;
-    place.forgetTimes();
-    place.channels_known = true;
-    addChunk(std::move(place));
+    ChunkLocation location;
+    location.offset = at;
+    location.bare = true;
+    location.forgetTimes();
+    location.channels_known = true;
+    addChunk(std::move(location));
   }
-  ChunkPlace& last = chunks_.back();
+  ChunkLocation& last = chunks_.back();
   last.length += bytes;
   last.include(time_ns);
   ++last.share(channel).count;
@@ -391,25 +392,25 @@ void ChunkedSource::dropUnknown(UnpackedChunk& chunk, std::uint64_t offset) {
 }
 
 /// The stated facts of a chunk may be wrong: replaces them by the real ones.
-void ChunkedSource::learn(ChunkPlace& place, const UnpackedChunk& unpacked) {
+void ChunkedSource::learn(ChunkLocation& location, const UnpackedChunk& unpacked) {
   const auto& entries = unpacked.entries;
   if (!entries.empty()) {
     const std::int64_t first = entries.front().log_ns;
     const std::int64_t last = entries.back().log_ns;
-    if (first < place.first_ns || last > place.last_ns) {
-      if (place.first_ns <= place.last_ns) notes_.add(NoteCode::ChunkTimes, place.offset);
-      place.first_ns = first;
-      place.last_ns = last;
+    if (first < location.first_ns || last > location.last_ns) {
+      if (location.first_ns <= location.last_ns) notes_.add(NoteCode::ChunkTimes, location.offset);
+      location.first_ns = first;
+      location.last_ns = last;
       latest_first_.clear();
     }
   }
-  if (place.channels_known) return;
+  if (location.channels_known) return;
   std::map<std::uint32_t, std::uint64_t> counts;
   for (const ChunkEntry& entry : entries) ++counts[entry.channel];
   std::vector<ChannelShare> shares;
   for (const auto& [channel, count] : counts) shares.push_back({channel, count});
-  place.shares = std::move(shares);
-  place.channels_known = true;
+  location.shares = std::move(shares);
+  location.channels_known = true;
 }
 
 void ChunkedSource::lookInto(std::size_t chunk) {
@@ -439,7 +440,7 @@ void ChunkedSource::countChunks() {
   channels_in_chunks_.clear();
   about_.start_ns.reset();
   about_.end_ns.reset();
-  for (const ChunkPlace& chunk : chunks_) {
+  for (const ChunkLocation& chunk : chunks_) {
     for (const ChannelShare& share : chunk.shares) {
       about_.messages += share.count;
       about_.messages_of[share.channel] += share.count;
@@ -483,20 +484,20 @@ std::vector<std::uint32_t> ChunkedSource::earliestFirst() const {
 template <typename OnFound>
 void ChunkedSource::outermost(const std::set<std::uint32_t>& channels, bool backwards, std::int64_t at_ns,
                               OnFound found) {
-  Places best;
+  Positions best;
   // Those that are in no chunk would keep the walk from ending early.
   std::set<std::uint32_t> missing;
   std::set_intersection(channels.begin(), channels.end(), channels_in_chunks_.begin(),
                         channels_in_chunks_.end(), std::inserter(missing, missing.end()));
   std::int64_t farthest = 0;  // of the best ones
   bool measured = false;
-  const auto better = [&](const Place& a, const Place& b) { return backwards ? b < a : a < b; };
+  const auto better = [&](const Position& a, const Position& b) { return backwards ? b < a : a < b; };
   // What is learned below may sort it again.
   const std::vector<std::uint32_t> order = backwards ? latestFirst() : earliestFirst();
   for (const std::uint32_t i : order) {
-    const ChunkPlace& place = chunks_[i];
-    if (place.first_ns > place.last_ns || (backwards && place.first_ns > at_ns)) continue;
-    const std::int64_t edge = backwards ? std::min(place.last_ns, at_ns) : place.first_ns;
+    const ChunkLocation& location = chunks_[i];
+    if (location.first_ns > location.last_ns || (backwards && location.first_ns > at_ns)) continue;
+    const std::int64_t edge = backwards ? std::min(location.last_ns, at_ns) : location.first_ns;
     const auto mayImprove = [&](std::uint32_t channel) {
       if (!channels.contains(channel)) return false;
       const auto known = best.find(channel);
@@ -511,8 +512,8 @@ void ChunkedSource::outermost(const std::set<std::uint32_t>& channels, bool back
       if (backwards ? farthest > edge : farthest < edge) break;
     }
     std::size_t open = std::numeric_limits<std::size_t>::max();  // channels to be found in this chunk
-    if (place.channels_known) {
-      open = std::size_t(std::count_if(place.shares.begin(), place.shares.end(),
+    if (location.channels_known) {
+      open = std::size_t(std::count_if(location.shares.begin(), location.shares.end(),
                                        [&](const ChannelShare& share) { return mayImprove(share.channel); }));
       if (open == 0) continue;
     }
@@ -528,7 +529,7 @@ void ChunkedSource::outermost(const std::set<std::uint32_t>& channels, bool back
       const std::uint32_t channel = entries[at].channel;
       if (!mayImprove(channel) || !seen.insert(channel).second) continue;
       --open;
-      const Place here{entries[at].log_ns, i, at};
+      const Position here{entries[at].log_ns, i, at};
       const auto [known, is_new] = best.try_emplace(channel, here);
       if (!is_new && !better(here, known->second)) continue;
       known->second = here;
@@ -544,14 +545,14 @@ std::map<std::uint32_t, std::int64_t> ChunkedSource::outermostTimes(const std::s
   std::map<std::uint32_t, std::int64_t> times;
   outermost(
       channels, last, std::numeric_limits<std::int64_t>::max(),
-      [&](std::uint32_t channel, const Place& at, const UnpackedChunk&) { times[channel] = at.log_ns; });
+      [&](std::uint32_t channel, const Position& at, const UnpackedChunk&) { times[channel] = at.log_ns; });
   return times;
 }
 
 std::vector<Packing> ChunkedSource::packing() const {
   std::map<std::string, Packing> by_name;
-  for (const ChunkPlace& place : chunks_) {
-    const std::optional<Packing> one = place.bare ? std::nullopt : packingOf(place);
+  for (const ChunkLocation& location : chunks_) {
+    const std::optional<Packing> one = location.bare ? std::nullopt : packingOf(location);
     if (!one) continue;
     Packing& all = by_name[one->compression];
     all.compression = one->compression;
@@ -570,12 +571,12 @@ std::vector<Message> ChunkedSource::lastBefore(std::int64_t at_ns, const std::ve
   for (const auto& [id, channel] : channels_) {
     if (choice.takes(*channel)) wanted.insert(id);
   }
-  std::map<std::uint32_t, std::pair<Place, Message>> of_channel;
-  outermost(wanted, true, at_ns, [&](std::uint32_t channel, const Place& at, const UnpackedChunk& chunk) {
+  std::map<std::uint32_t, std::pair<Position, Message>> of_channel;
+  outermost(wanted, true, at_ns, [&](std::uint32_t channel, const Position& at, const UnpackedChunk& chunk) {
     of_channel[channel] = {at, messageAt(chunk, chunk.entries[at.entry])};
   });
   // Of channels that share a topic, the one that messages() would give last.
-  std::map<std::string, std::pair<Place, Message>> of_topic;
+  std::map<std::string, std::pair<Position, Message>> of_topic;
   for (auto& [id, found] : of_channel) {
     auto& held = of_topic[found.second.channel->topic];
     if (!held.second.channel || held.first < found.first) held = std::move(found);

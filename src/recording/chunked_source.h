@@ -27,7 +27,7 @@ struct ChannelShare {
 };
 
 /// Where a chunk is, and what is known of it without unpacking.
-struct ChunkPlace {
+struct ChunkLocation {
   std::uint64_t offset = 0;                // of its record in the file, or of the first of the bare records
   std::uint64_t length = 0;                // bytes in the file; 0: stated in its record
   bool bare = false;                       // records outside of any chunk
@@ -71,18 +71,18 @@ class ChunkedSource : public Source {
   std::map<std::uint32_t, std::int64_t> outermostTimes(const std::set<std::uint32_t>& channels,
                                                        bool last) override;
   std::vector<Packing> packing() const override;
-  const std::vector<AttachmentPlace>& attachments() const override { return attachments_; }
+  const std::vector<AttachmentLocation>& attachments() const override { return attachments_; }
   const std::vector<Metadata>& metadata() const override { return metadata_; }
   bool refresh() override;
 
  protected:
   /// To be implemented by the format. Returns the bytes of the chunk and its messages in any order; channels
   /// described in it are added with addChannel().
-  virtual tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) = 0;
+  virtual tl::expected<UnpackedChunk, Note> unpack(const ChunkLocation& location) = 0;
   /// A message of a chunk; the caller sets its channel. The entry comes from unpack().
   virtual Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const = 0;
   /// Of one chunk, from its header; nullopt: it cannot be read.
-  virtual std::optional<Packing> packingOf(const ChunkPlace& place) const = 0;
+  virtual std::optional<Packing> packingOf(const ChunkLocation& location) const = 0;
 
   enum class Step : std::uint8_t {
     Taken,
@@ -99,9 +99,9 @@ class ChunkedSource : public Source {
   /// Reads all records in [from, to); returns the position of the first incomplete one, or `to`.
   std::uint64_t scan(std::uint64_t from, std::uint64_t to);
   /// A chunk that was scanned; its message indexes follow.
-  void addScanned(ChunkPlace place);
+  void addScanned(ChunkLocation location);
   /// The chunk whose message indexes are being scanned; null: none.
-  ChunkPlace* indexedChunk() { return indexes_follow_ && !chunks_.empty() ? &chunks_.back() : nullptr; }
+  ChunkLocation* indexedChunk() { return indexes_follow_ && !chunks_.empty() ? &chunks_.back() : nullptr; }
   /// That chunk is complete: looks up in it what its indexes do not tell.
   void settleChunk(bool doubtful);
   /// A message outside of any chunk.
@@ -109,8 +109,8 @@ class ChunkedSource : public Source {
 
   void addChannel(Channel channel, std::uint64_t offset);
   /// Must come after all others in the file, otherwise call sortChunks().
-  void addChunk(ChunkPlace place);
-  std::vector<ChunkPlace>& chunks() { return chunks_; }
+  void addChunk(ChunkLocation location);
+  std::vector<ChunkLocation>& chunks() { return chunks_; }
   void sortChunks();
   /// Unpacks it to get its times, channels and counts.
   void lookInto(std::size_t chunk);
@@ -125,19 +125,19 @@ class ChunkedSource : public Source {
   Limits limits_;
   Notes notes_;
   Summary about_;  // everything except the counts
-  std::vector<AttachmentPlace> attachments_;
+  std::vector<AttachmentLocation> attachments_;
   std::vector<Metadata> metadata_;
   std::uint64_t scanned_to_ = 0;  // of a file without an end
 
  private:
   friend class ChunkCursor;
-  /// A message by its place in the order of messages.
-  struct Place {
+  /// A message by its position in the order of messages.
+  struct Position {
     std::int64_t log_ns = 0;
     std::size_t chunk = 0, entry = 0;
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const Position&) const = default;
   };
-  using Places = std::unordered_map<std::uint32_t, Place>;  // by channel
+  using Positions = std::unordered_map<std::uint32_t, Position>;  // by channel
   struct Held {
     std::size_t chunk = 0;
     UnpackedPtr unpacked;
@@ -147,7 +147,7 @@ class ChunkedSource : public Source {
   UnpackedPtr unpacked(std::size_t chunk);
   void forgetOrder();
   void dropUnknown(UnpackedChunk& chunk, std::uint64_t offset);
-  void learn(ChunkPlace& place, const UnpackedChunk& unpacked);
+  void learn(ChunkLocation& location, const UnpackedChunk& unpacked);
   /// The first of each of these channels, or (backwards) the last at or before `at_ns`. All of them in one
   /// walk over the chunks: there may be as many channels as messages. `found` is called for each, before its
   /// chunk is forgotten; again where a better one turns up.
@@ -157,7 +157,7 @@ class ChunkedSource : public Source {
   std::vector<std::uint32_t> earliestFirst() const;
   Message messageAt(const UnpackedChunk& chunk, const ChunkEntry& entry) const;
 
-  std::vector<ChunkPlace> chunks_;  // in file order
+  std::vector<ChunkLocation> chunks_;  // in file order
   std::map<std::uint32_t, ChannelPtr> channels_;
   std::set<std::uint32_t> channels_in_chunks_;
   bool indexes_follow_ = false;              // the preceding records were a chunk and its message indexes

@@ -34,7 +34,7 @@ class McapReader final : public ChunkedSource {
   using ChunkedSource::ChunkedSource;
 
   std::string format() const override { return "MCAP"; }
-  std::optional<Attachment> attachment(const AttachmentPlace& place) override;
+  std::optional<Attachment> attachment(const AttachmentLocation& location) override;
 
   void open() {
     const std::uint64_t size = bytes_->size();
@@ -47,8 +47,8 @@ class McapReader final : public ChunkedSource {
   }
 
  protected:
-  std::optional<Packing> packingOf(const ChunkPlace& place) const override;
-  tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
+  std::optional<Packing> packingOf(const ChunkLocation& location) const override;
+  tl::expected<UnpackedChunk, Note> unpack(const ChunkLocation& location) override;
   Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
   Step readRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
   std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const override;
@@ -68,7 +68,7 @@ class McapReader final : public ChunkedSource {
   Step readSmall(const McapRecord& record);
   void readSchema(std::span<const std::uint8_t> content, std::uint64_t at);
   void readChannel(std::span<const std::uint8_t> content, std::uint64_t at);
-  void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
+  void listRecords(UnpackedChunk& chunk, const ChunkLocation& location);
 
   std::map<std::uint16_t, mcap::Schema> schemas_;
 };
@@ -149,7 +149,7 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
   about_.bytes = bytes_->size();
   countChunks();
   const auto uncounted = [](const ChannelShare& share) { return share.count == 0; };
-  about_.counted = std::none_of(chunks().begin(), chunks().end(), [&](const ChunkPlace& chunk) {
+  about_.counted = std::none_of(chunks().begin(), chunks().end(), [&](const ChunkLocation& chunk) {
     return std::any_of(chunk.shares.begin(), chunk.shares.end(), uncounted);
   });
   if (about_.counted) return true;
@@ -180,21 +180,21 @@ bool McapReader::readChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::u
   }
   if (past < data_end) gaps.emplace_back(past, data_end);
   for (const mcap::ChunkIndex& index : indexes) {
-    ChunkPlace place;
-    place.offset = index.offset;
-    place.length = index.length;
-    place.first_ns = mcap::timeOf(index.start);
-    place.last_ns = mcap::timeOf(index.end);
-    place.channels_known = !index.index_offsets.empty();
+    ChunkLocation location;
+    location.offset = index.offset;
+    location.length = index.length;
+    location.first_ns = mcap::timeOf(index.start);
+    location.last_ns = mcap::timeOf(index.end);
+    location.channels_known = !index.index_offsets.empty();
     // A chunk without messages, or without indexes, may state 0 and 0.
-    if (place.first_ns > place.last_ns || !mcap::isTime(index.end) ||
-        (!place.channels_known && index.start == 0 && index.end == 0)) {
-      place.channels_known = false;
-      place.forgetTimes();
+    if (location.first_ns > location.last_ns || !mcap::isTime(index.end) ||
+        (!location.channels_known && index.start == 0 && index.end == 0)) {
+      location.channels_known = false;
+      location.forgetTimes();
     }
-    place.shares.reserve(index.index_offsets.size());
-    for (const auto& [channel, offset] : index.index_offsets) place.shares.push_back({channel, 0});
-    addChunk(std::move(place));
+    location.shares.reserve(index.index_offsets.size());
+    for (const auto& [channel, offset] : index.index_offsets) location.shares.push_back({channel, 0});
+    addChunk(std::move(location));
   }
   for (const auto& [from, to] : gaps) {
     const std::uint64_t read = scan(from, to);
@@ -228,15 +228,16 @@ void McapReader::readChannel(std::span<const std::uint8_t> content, std::uint64_
              at);
 }
 
-tl::expected<UnpackedChunk, Note> McapReader::unpack(const ChunkPlace& place) {
+tl::expected<UnpackedChunk, Note> McapReader::unpack(const ChunkLocation& location) {
   const auto failed = [&](NoteCode code, std::string_view name = {}) {
-    return tl::unexpected(Note{code, place.offset, 1, std::string(name)});
+    return tl::unexpected(Note{code, location.offset, 1, std::string(name)});
   };
-  if (place.length > limits_.most_chunk_bytes + mcap::kMostChunkHead) return failed(NoteCode::ChunkTooLarge);
-  std::optional<UnpackedChunk> stored = raw(place.offset, place.length);
+  if (location.length > limits_.most_chunk_bytes + mcap::kMostChunkHead)
+    return failed(NoteCode::ChunkTooLarge);
+  std::optional<UnpackedChunk> stored = raw(location.offset, location.length);
   if (!stored) return failed(NoteCode::Unreadable);
-  if (place.bare) {
-    listRecords(*stored, place);
+  if (location.bare) {
+    listRecords(*stored, location);
     return std::move(*stored);
   }
   ByteReader in(stored->all());
@@ -262,28 +263,28 @@ tl::expected<UnpackedChunk, Note> McapReader::unpack(const ChunkPlace& place) {
     chunk.bytes = std::move(unpacked->data);
   }
   if (head->crc != 0 && packed::crc32(0, chunk.all()) != head->crc) return failed(NoteCode::ChunkChecksum);
-  listRecords(chunk, place);
+  listRecords(chunk, location);
   return chunk;
 }
 
-std::optional<Packing> McapReader::packingOf(const ChunkPlace& place) const {
-  if (place.length < mcap::kRecordHead) return std::nullopt;
-  const std::uint64_t length = place.length - mcap::kRecordHead;
+std::optional<Packing> McapReader::packingOf(const ChunkLocation& location) const {
+  if (location.length < mcap::kRecordHead) return std::nullopt;
+  const std::uint64_t length = location.length - mcap::kRecordHead;
   const std::optional<UnpackedChunk> start =
-      raw(place.offset + mcap::kRecordHead, std::min<std::uint64_t>(length, mcap::kMostChunkHead));
+      raw(location.offset + mcap::kRecordHead, std::min<std::uint64_t>(length, mcap::kMostChunkHead));
   const auto head = start ? mcap::chunkHeadIn(start->all(), length) : std::nullopt;
   if (!head) return std::nullopt;
   return Packing{head->compression, 1, head->records_size, head->unpacked_size};
 }
 
-void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
+void McapReader::listRecords(UnpackedChunk& chunk, const ChunkLocation& location) {
   ByteReader in(chunk.all());
   while (in.left() > 0) {
     const std::uint64_t at = chunk.size - in.left();
     const auto op = Op(in.number<std::uint8_t>());
     const auto content = in.take(in.number<std::uint64_t>());
     if (!in.sound()) {
-      notes_.add(NoteCode::ChunkCorrupt, place.offset);  // everything before that is intact
+      notes_.add(NoteCode::ChunkCorrupt, location.offset);  // everything before that is intact
       return;
     }
     if (op == Op::Message) {
@@ -293,16 +294,16 @@ void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
       const auto stamp = message.number<std::uint64_t>();
       message.number<std::uint64_t>();
       if (!message.sound()) {
-        notes_.add(NoteCode::RecordCorrupt, place.offset);
+        notes_.add(NoteCode::RecordCorrupt, location.offset);
       } else if (mcap::isTime(stamp)) {
         chunk.entries.push_back({mcap::timeOf(stamp), at, channel});
       } else {
-        notes_.add(NoteCode::TimeUnusable, place.offset);
+        notes_.add(NoteCode::TimeUnusable, location.offset);
       }
     } else if (op == Op::Schema) {
-      readSchema(content, place.offset);
+      readSchema(content, location.offset);
     } else if (op == Op::Channel) {
-      readChannel(content, place.offset);
+      readChannel(content, location.offset);
     }
   }
 }
@@ -320,19 +321,19 @@ Message McapReader::read(const UnpackedChunk& chunk, const ChunkEntry& entry) co
   return message;
 }
 
-std::optional<Attachment> McapReader::attachment(const AttachmentPlace& place) {
+std::optional<Attachment> McapReader::attachment(const AttachmentLocation& location) {
   const auto failed = [&](NoteCode code) {
-    notes_.add(code, place.offset, place.name);
+    notes_.add(code, location.offset, location.name);
     return std::nullopt;
   };
-  const std::optional<UnpackedChunk> head = raw(place.offset, mcap::kRecordHead);
+  const std::optional<UnpackedChunk> head = raw(location.offset, mcap::kRecordHead);
   if (!head) return failed(NoteCode::AttachmentCorrupt);
   ByteReader start(head->all());
   const bool is_one = start.number<std::uint8_t>() == std::uint8_t(Op::Attachment);
   const auto length = start.number<std::uint64_t>();
   if (!is_one) return failed(NoteCode::AttachmentCorrupt);
   if (length > limits_.most_chunk_bytes) return failed(NoteCode::RecordTooLarge);
-  const std::optional<UnpackedChunk> content = raw(place.offset + mcap::kRecordHead, length);
+  const std::optional<UnpackedChunk> content = raw(location.offset + mcap::kRecordHead, length);
   if (!content) return failed(NoteCode::AttachmentCorrupt);
   ByteReader in(content->all());
   Attachment attachment;
@@ -414,13 +415,13 @@ ChunkedSource::Step McapReader::readChunk(Window& window, const McapRecord& reco
     // Truncated, if both of its lengths agree; otherwise one of them is wrong.
     return head->records_at + head->records_size == record.length ? Step::CutOff : Step::NoRecord;
   }
-  ChunkPlace place;
-  place.offset = record.at;
-  place.length = record.end() - record.at;
-  place.first_ns = mcap::timeOf(head->start);
-  place.last_ns = mcap::timeOf(head->end);
-  if (!mcap::isTime(head->end)) place.forgetTimes();  // it will be unpacked
-  addScanned(std::move(place));
+  ChunkLocation location;
+  location.offset = record.at;
+  location.length = record.end() - record.at;
+  location.first_ns = mcap::timeOf(head->start);
+  location.last_ns = mcap::timeOf(head->end);
+  if (!mcap::isTime(head->end)) location.forgetTimes();  // it will be unpacked
+  addScanned(std::move(location));
   return Step::Taken;
 }
 
@@ -429,7 +430,7 @@ ChunkedSource::Step McapReader::readIndex(Window& window, const McapRecord& reco
   const auto channel = in.number<std::uint16_t>();
   const auto bytes = in.number<std::uint32_t>();
   if (!in.sound() || std::uint64_t(bytes) + 6 > record.length) return Step::NoRecord;
-  ChunkPlace* const chunk = indexedChunk();
+  ChunkLocation* const chunk = indexedChunk();
   if (chunk == nullptr || bytes == 0) return Step::Taken;
   ChannelShare& share = chunk->share(channel);
   if (share.count == 0) share.count = bytes / 16;  // it was counted if the file ended here before
@@ -456,15 +457,15 @@ ChunkedSource::Step McapReader::readAttachment(Window& window, const McapRecord&
   ByteReader in(window.look(record.content(),
                             std::size_t(std::min<std::uint64_t>(record.length, Window::kMostInView)),
                             record.end()));
-  AttachmentPlace place;
-  place.offset = record.at;
-  place.log_time_ns = mcap::timeOf(in.number<std::uint64_t>());
-  place.create_time_ns = mcap::timeOf(in.number<std::uint64_t>());
-  place.name = in.text();
-  place.media_type = in.text();
-  place.size = in.number<std::uint64_t>();
-  if (!in.sound() || place.size > record.length) return Step::NoRecord;
-  attachments_.push_back(std::move(place));
+  AttachmentLocation location;
+  location.offset = record.at;
+  location.log_time_ns = mcap::timeOf(in.number<std::uint64_t>());
+  location.create_time_ns = mcap::timeOf(in.number<std::uint64_t>());
+  location.name = in.text();
+  location.media_type = in.text();
+  location.size = in.number<std::uint64_t>();
+  if (!in.sound() || location.size > record.length) return Step::NoRecord;
+  attachments_.push_back(std::move(location));
   return Step::Taken;
 }
 

@@ -78,7 +78,7 @@ struct ChannelRecord {
   bool operator==(const ChannelRecord&) const = default;
 };
 
-/// Log time and place in the unpacked chunk of each message.
+/// Log time and offset in the unpacked chunk of each message.
 struct MessageIndex {
   static constexpr Op kOp = Op::MessageIndex;
   std::uint16_t channel = 0;
@@ -115,10 +115,10 @@ struct Statistics {
 struct AttachmentIndex {
   static constexpr Op kOp = Op::AttachmentIndex;
   std::uint64_t offset = 0, length = 0;
-  AttachmentPlace place;
+  AttachmentLocation location;
   static auto fields(auto& of) {
-    return std::tie(of.offset, of.length, of.place.log_time_ns, of.place.create_time_ns, of.place.size,
-                    of.place.name, of.place.media_type);
+    return std::tie(of.offset, of.length, of.location.log_time_ns, of.location.create_time_ns,
+                    of.location.size, of.location.name, of.location.media_type);
   }
 };
 

@@ -170,12 +170,12 @@ void McapWriter::pack() {
   due.index.length = head.size() + stored.size();
 
   mcap::RecordWriter indexes;
-  for (auto& [channel, places] : open_.index) {
-    std::stable_sort(places.begin(), places.end(),
+  for (auto& [channel, entries] : open_.index) {
+    std::stable_sort(entries.begin(), entries.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     due.index.index_offsets.emplace_back(channel, due.index.length + indexes.size());
-    due.messages_of[channel] = places.size();
-    mcap::write(indexes, mcap::MessageIndex{channel, places});
+    due.messages_of[channel] = entries.size();
+    mcap::write(indexes, mcap::MessageIndex{channel, entries});
   }
   due.index.index_length = indexes.size();
   due.bytes.reserve(std::size_t(due.index.length) + indexes.size());
@@ -220,13 +220,13 @@ std::optional<disk::FileError> McapWriter::attach(const Attachment& attachment) 
   const std::uint64_t at = progress_.bytes;
   std::optional<disk::FileError> fault = append(record.bytes());
   if (progress_.bytes == at) return fault;
-  const AttachmentPlace place{attachment.name,
-                              attachment.media_type,
-                              std::int64_t(stampOf(attachment.log_time_ns)),
-                              std::int64_t(stampOf(attachment.create_time_ns)),
-                              data.size(),
-                              at};
-  attachments_.push_back({at, record.size(), place});
+  const AttachmentLocation location{attachment.name,
+                                    attachment.media_type,
+                                    std::int64_t(stampOf(attachment.log_time_ns)),
+                                    std::int64_t(stampOf(attachment.create_time_ns)),
+                                    data.size(),
+                                    at};
+  attachments_.push_back({at, record.size(), location});
   return fault;
 }
 

@@ -37,9 +37,9 @@ std::int64_t nanosecondsOf(double s) {
   const std::size_t point = std::min(digits.find('.'), digits.size());
   std::int64_t ns = 0;
   for (const char digit : digits.substr(0, point)) ns = ns * 10 + (digit - '0');
-  for (std::size_t place = 1; place <= kDigits; ++place) {
-    const bool there = point + place < digits.size();
-    ns = ns * 10 + (there ? digits[point + place] - '0' : 0);
+  for (std::size_t decimal = 1; decimal <= kDigits; ++decimal) {
+    const bool there = point + decimal < digits.size();
+    ns = ns * 10 + (there ? digits[point + decimal] - '0' : 0);
   }
   const std::size_t next = point + kDigits + 1;
   if (next < digits.size() && digits[next] >= '5') ++ns;

@@ -43,7 +43,7 @@ struct Message {
 };
 
 /// An attachment of the recording, without its bytes.
-struct AttachmentPlace {
+struct AttachmentLocation {
   std::string name, media_type;
   std::int64_t log_time_ns = 0, create_time_ns = 0;  // create time 0: unknown
   std::uint64_t size = 0;                            // bytes of the file

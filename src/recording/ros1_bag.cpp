@@ -113,13 +113,13 @@ class Ros1Bag final : public ChunkedSource {
 
   std::string format() const override { return "ROS bag 2.0"; }
   /// Bags have no attachments.
-  std::optional<Attachment> attachment(const AttachmentPlace&) override { return std::nullopt; }
+  std::optional<Attachment> attachment(const AttachmentLocation&) override { return std::nullopt; }
 
   std::optional<Failure> open();
 
  protected:
-  std::optional<Packing> packingOf(const ChunkPlace& place) const override;
-  tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
+  std::optional<Packing> packingOf(const ChunkLocation& location) const override;
+  tl::expected<UnpackedChunk, Note> unpack(const ChunkLocation& location) override;
   Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
   Step readRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
   std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const override;
@@ -128,12 +128,12 @@ class Ros1Bag final : public ChunkedSource {
   /// nullopt: there is none; `cut`: because `end` lies inside it.
   std::optional<BagRecord> recordAt(Window& window, std::uint64_t at, std::uint64_t end, bool& cut) const;
   bool openByIndex();
-  std::optional<ChunkPlace> infoIn(const BagRecord& record) const;
+  std::optional<ChunkLocation> infoIn(const BagRecord& record) const;
   Step handleRecord(const BagRecord& record);
   Step readMessage(const BagRecord& record);
   Step readIndex(const BagRecord& record);
   Step readConnection(const BagRecord& record);
-  void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
+  void listRecords(UnpackedChunk& chunk, const ChunkLocation& location);
 
   std::uint64_t start_ = kBagMagic.size();  // after the header of the bag
   std::uint64_t index_at_ = 0;              // 0: there is none
@@ -189,7 +189,7 @@ std::optional<BagRecord> Ros1Bag::recordAt(Window& window, std::uint64_t at, std
   return cut ? std::nullopt : std::optional(std::move(record));
 }
 
-std::optional<ChunkPlace> Ros1Bag::infoIn(const BagRecord& record) const {
+std::optional<ChunkLocation> Ros1Bag::infoIn(const BagRecord& record) const {
   const BagFields fields = record.fields();
   const auto offset = fields.number<std::uint64_t>("chunk_pos");
   const auto first = fields.time("start_time");
@@ -199,20 +199,20 @@ std::optional<ChunkPlace> Ros1Bag::infoIn(const BagRecord& record) const {
     return std::nullopt;
   const std::optional<UnpackedChunk> rows = raw(record.data_at, record.data_size);
   if (!rows) return std::nullopt;
-  ChunkPlace place;
-  place.offset = *offset;
-  place.first_ns = *first;
-  place.last_ns = *last;
-  place.channels_known = true;
+  ChunkLocation location;
+  location.offset = *offset;
+  location.first_ns = *first;
+  location.last_ns = *last;
+  location.channels_known = true;
   ByteReader row(rows->all());
   while (row.left() >= 8) {
     ChannelShare share;
     share.channel = row.number<std::uint32_t>();
     share.count = row.number<std::uint32_t>();
-    if (share.count > 0) place.shares.push_back(share);
+    if (share.count > 0) location.shares.push_back(share);
   }
-  if (place.shares.empty()) place.forgetTimes();
-  return place;
+  if (location.shares.empty()) location.forgetTimes();
+  return location;
 }
 
 bool Ros1Bag::openByIndex() {
@@ -224,7 +224,7 @@ bool Ros1Bag::openByIndex() {
   if (index_at_ == 0) return false;  // the scan finds out whether it is finished
   if (index_at_ < start_ || index_at_ > size) return unusable();
   Window window(*bytes_);
-  std::vector<ChunkPlace> places;
+  std::vector<ChunkLocation> locations;
   std::uint32_t connections = 0;
   for (std::uint64_t at = index_at_; at < size;) {
     bool cut = false;
@@ -234,37 +234,38 @@ bool Ros1Bag::openByIndex() {
       if (readConnection(*record) != Step::Taken) return unusable();
       ++connections;
     } else if (record->op == BagOp::ChunkInfo) {
-      std::optional<ChunkPlace> place = infoIn(*record);
-      if (!place) return unusable();
-      places.push_back(std::move(*place));
+      std::optional<ChunkLocation> location = infoIn(*record);
+      if (!location) return unusable();
+      locations.push_back(std::move(*location));
     }
     at = record->end();
   }
-  if (places.size() != chunk_count_ || connections != connections_) return unusable();
-  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
-  const auto twice = [](const ChunkPlace& a, const ChunkPlace& b) { return a.offset == b.offset; };
-  if (std::adjacent_find(places.begin(), places.end(), twice) != places.end()) return unusable();
-  for (ChunkPlace& place : places) addChunk(std::move(place));
+  if (locations.size() != chunk_count_ || connections != connections_) return unusable();
+  std::sort(locations.begin(), locations.end(),
+            [](const auto& a, const auto& b) { return a.offset < b.offset; });
+  const auto twice = [](const ChunkLocation& a, const ChunkLocation& b) { return a.offset == b.offset; };
+  if (std::adjacent_find(locations.begin(), locations.end(), twice) != locations.end()) return unusable();
+  for (ChunkLocation& location : locations) addChunk(std::move(location));
   about_.bytes = size;
   findChannels();
   countChunks();
   return true;
 }
 
-tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
+tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkLocation& location) {
   const auto failed = [&](NoteCode code, std::string_view name = {}) {
-    return tl::unexpected(Note{code, place.offset, 1, std::string(name)});
+    return tl::unexpected(Note{code, location.offset, 1, std::string(name)});
   };
-  if (place.bare) {
-    if (place.length > limits_.most_chunk_bytes) return failed(NoteCode::ChunkTooLarge);
-    std::optional<UnpackedChunk> stored = raw(place.offset, place.length);
+  if (location.bare) {
+    if (location.length > limits_.most_chunk_bytes) return failed(NoteCode::ChunkTooLarge);
+    std::optional<UnpackedChunk> stored = raw(location.offset, location.length);
     if (!stored) return failed(NoteCode::Unreadable);
-    listRecords(*stored, place);
+    listRecords(*stored, location);
     return std::move(*stored);
   }
   Window window(*bytes_);
   bool cut = false;
-  const std::optional<BagRecord> record = recordAt(window, place.offset, bytes_->size(), cut);
+  const std::optional<BagRecord> record = recordAt(window, location.offset, bytes_->size(), cut);
   if (!record || record->op != BagOp::Chunk)
     return failed(cut ? NoteCode::Unreadable : NoteCode::ChunkCorrupt);
   const BagFields fields = record->fields();
@@ -284,14 +285,14 @@ tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
     stored->size = unpacked->size;
     stored->bytes = std::move(unpacked->data);
   }
-  listRecords(*stored, place);
+  listRecords(*stored, location);
   return std::move(*stored);
 }
 
-std::optional<Packing> Ros1Bag::packingOf(const ChunkPlace& place) const {
+std::optional<Packing> Ros1Bag::packingOf(const ChunkLocation& location) const {
   Window window(*bytes_);
   bool cut = false;
-  const std::optional<BagRecord> record = recordAt(window, place.offset, bytes_->size(), cut);
+  const std::optional<BagRecord> record = recordAt(window, location.offset, bytes_->size(), cut);
   if (!record || record->op != BagOp::Chunk) return std::nullopt;
   const BagFields fields = record->fields();
   std::string compression = fields.text("compression");
@@ -300,7 +301,7 @@ std::optional<Packing> Ros1Bag::packingOf(const ChunkPlace& place) const {
                  fields.number<std::uint32_t>("size").value_or(0)};
 }
 
-void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
+void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkLocation& location) {
   ByteReader in(chunk.all());
   while (in.left() > 0) {
     const std::uint64_t at = chunk.size - in.left();
@@ -309,7 +310,7 @@ void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
     const bool whole = in.sound() && header.size() <= kMostHeader;
     const auto fields = whole ? BagFields::in(header) : std::nullopt;
     if (!fields || !fields->op()) {
-      notes_.add(NoteCode::ChunkCorrupt, place.offset);  // everything before that is intact
+      notes_.add(NoteCode::ChunkCorrupt, location.offset);  // everything before that is intact
       return;
     }
     if (fields->op() == BagOp::Message) {
@@ -318,13 +319,13 @@ void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
       if (channel && time) {
         chunk.entries.push_back({*time, at, *channel});
       } else {
-        notes_.add(NoteCode::RecordCorrupt, place.offset);
+        notes_.add(NoteCode::RecordCorrupt, location.offset);
       }
     } else if (fields->op() == BagOp::Connection) {
       if (std::optional<Channel> channel = channelIn(*fields, data)) {
-        addChannel(std::move(*channel), place.offset);
+        addChannel(std::move(*channel), location.offset);
       } else {
-        notes_.add(NoteCode::RecordCorrupt, place.offset);
+        notes_.add(NoteCode::RecordCorrupt, location.offset);
       }
     }
   }
@@ -360,11 +361,11 @@ ChunkedSource::Step Ros1Bag::handleRecord(const BagRecord& record) {
     case BagOp::Connection:
       return readConnection(record);
     case BagOp::Chunk: {
-      ChunkPlace place;
-      place.offset = record.at;
-      place.length = record.end() - record.at;
-      place.forgetTimes();  // known from its indexes, or its content
-      addScanned(std::move(place));
+      ChunkLocation location;
+      location.offset = record.at;
+      location.length = record.end() - record.at;
+      location.forgetTimes();  // known from its indexes, or its content
+      addScanned(std::move(location));
       return Step::Taken;
     }
     case BagOp::ChunkInfo:
@@ -395,7 +396,7 @@ ChunkedSource::Step Ros1Bag::readIndex(const BagRecord& record) {
   const auto count = fields.number<std::uint32_t>("count");
   if (!channel || !count || fields.number<std::uint32_t>("ver") != 1u) return Step::NoRecord;
   if (std::uint64_t(*count) * 12 != record.data_size) return Step::NoRecord;
-  ChunkPlace* const chunk = indexedChunk();
+  ChunkLocation* const chunk = indexedChunk();
   if (chunk == nullptr || *count == 0) return Step::Taken;
   if (chunk->shareOf(*channel) != nullptr) return Step::Taken;           // it was counted before
   if (record.data_size > limits_.most_record_bytes) return Step::Taken;  // it will be unpacked

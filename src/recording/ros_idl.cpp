@@ -402,7 +402,7 @@ class IdlReader {
   std::map<std::string, std::string> constants_;
   std::vector<std::string> enums_;
   std::size_t members_ = 0;
-  std::map<std::string, std::pair<std::size_t, bool>> made_;  // place in the schema, whether it is complete
+  std::map<std::string, std::pair<std::size_t, bool>> made_;  // index in the schema, whether it is complete
   RosSchema schema_;
 };
 

@@ -154,7 +154,7 @@ std::optional<RosType> wellKnown(const std::string& name) {
 class Linker {
  public:
   explicit Linker(std::vector<Section> sections) : sections_(std::move(sections)) {
-    for (std::size_t i = sections_.size(); i > 0; --i) places_[sections_[i - 1].name] = i - 1;
+    for (std::size_t i = sections_.size(); i > 0; --i) section_indexes_[sections_[i - 1].name] = i - 1;
   }
 
   tl::expected<RosSchema, Fault> link() {
@@ -190,10 +190,10 @@ class Linker {
     if (name.find('/') == std::string::npos) {
       const std::string beside = inside.substr(0, inside.find('/') + 1) + name;
       // "Header" means the standard one, unless the package has its own.
-      name = name == "Header" && !places_.contains(beside) ? "std_msgs/Header" : beside;
+      name = name == "Header" && !section_indexes_.contains(beside) ? "std_msgs/Header" : beside;
     }
-    const auto found = places_.find(name);
-    if (found == places_.end()) {
+    const auto found = section_indexes_.find(name);
+    if (found == section_indexes_.end()) {
       if (const auto added = added_.find(name); added != added_.end()) return added->second;
       std::optional<RosType> known = wellKnown(name);
       if (!known) return tl::unexpected(Fault{Fault::Code::UnknownType, draft.line, name});
@@ -213,7 +213,7 @@ class Linker {
   }
 
   std::vector<Section> sections_;
-  std::map<std::string, std::size_t> places_;  // the first of each name
+  std::map<std::string, std::size_t> section_indexes_;  // the first of each name
   std::map<std::size_t, std::pair<State, std::size_t>> made_;
   std::map<std::string, std::size_t> added_;
   RosSchema schema_;

@@ -56,10 +56,10 @@ class JoinedSource final : public Source {
       : parts_(std::move(parts)), notes_(std::move(notes)) {
     lookAtChannels();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-      for (const AttachmentPlace& place : parts_[part]->attachments()) {
-        attachments_.push_back(place);
+      for (const AttachmentLocation& location : parts_[part]->attachments()) {
+        attachments_.push_back(location);
         attachments_.back().offset = attached_.size();
-        attached_.emplace_back(part, place);
+        attached_.emplace_back(part, location);
       }
       const std::vector<Metadata>& metadata = parts_[part]->metadata();
       metadata_.insert(metadata_.end(), metadata.begin(), metadata.end());
@@ -145,10 +145,10 @@ class JoinedSource final : public Source {
     return packing;
   }
 
-  const std::vector<AttachmentPlace>& attachments() const override { return attachments_; }
-  std::optional<Attachment> attachment(const AttachmentPlace& place) override {
-    if (place.offset >= attached_.size()) return std::nullopt;
-    const auto& [part, own] = attached_[std::size_t(place.offset)];
+  const std::vector<AttachmentLocation>& attachments() const override { return attachments_; }
+  std::optional<Attachment> attachment(const AttachmentLocation& location) override {
+    if (location.offset >= attached_.size()) return std::nullopt;
+    const auto& [part, own] = attached_[std::size_t(location.offset)];
     return parts_[part]->attachment(own);
   }
   const std::vector<Metadata>& metadata() const override { return metadata_; }
@@ -221,8 +221,8 @@ class JoinedSource final : public Source {
   std::vector<std::unique_ptr<Source>> parts_;
   std::vector<Note> notes_;
   JoinedChannels channels_;
-  std::vector<AttachmentPlace> attachments_;
-  std::vector<std::pair<std::size_t, AttachmentPlace>> attached_;
+  std::vector<AttachmentLocation> attachments_;
+  std::vector<std::pair<std::size_t, AttachmentLocation>> attached_;
   std::vector<Metadata> metadata_;
 };
 

@@ -74,9 +74,9 @@ class Source {
   /// From the headers of the chunks, all of which are read. Does not include messages outside of chunks.
   virtual std::vector<Packing> packing() const = 0;
 
-  virtual const std::vector<AttachmentPlace>& attachments() const = 0;
+  virtual const std::vector<AttachmentLocation>& attachments() const = 0;
   /// nullopt: it is damaged, which is noted.
-  virtual std::optional<Attachment> attachment(const AttachmentPlace& place) = 0;
+  virtual std::optional<Attachment> attachment(const AttachmentLocation& location) = 0;
   virtual const std::vector<Metadata>& metadata() const = 0;
 
   /// Checks for data written since; true: there is more. A complete file does not change.

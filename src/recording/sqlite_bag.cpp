@@ -114,7 +114,7 @@ class SqliteBag final : public ChunkedSource {
         stop_(std::move(stop)) {}
 
   std::string format() const override { return "SQLite (rosbag2)"; }
-  std::optional<Attachment> attachment(const AttachmentPlace&) override { return std::nullopt; }
+  std::optional<Attachment> attachment(const AttachmentLocation&) override { return std::nullopt; }
   std::vector<Packing> packing() const override {
     std::uint64_t bytes = 0;
     for (const auto& [first, run] : run_bytes_) bytes += run;
@@ -154,15 +154,15 @@ class SqliteBag final : public ChunkedSource {
   }
 
  protected:
-  tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override {
+  tl::expected<UnpackedChunk, Note> unpack(const ChunkLocation& location) override {
     UnpackedChunk chunk;
-    const std::uint64_t room = run_bytes_[place.offset];
+    const std::uint64_t room = run_bytes_[location.offset];
     auto* const taken = new (std::nothrow) std::uint8_t[std::size_t(std::max<std::uint64_t>(room, 1))];
-    if (!taken) return tl::unexpected(Note{NoteCode::ChunkTooLarge, place.offset, 1, {}});
+    if (!taken) return tl::unexpected(Note{NoteCode::ChunkTooLarge, location.offset, 1, {}});
     chunk.bytes = std::shared_ptr<const std::uint8_t[]>(taken);
     Rows rows(database_.get(),
               "SELECT topic_id, timestamp, data FROM messages WHERE id BETWEEN ?1 AND ?2 ORDER BY id");
-    rows.with(std::int64_t(place.offset)).with(std::int64_t(place.offset + place.length - 1));
+    rows.with(std::int64_t(location.offset)).with(std::int64_t(location.offset + location.length - 1));
     while (rows.next()) {
       const auto data = rows.bytes(2);
       if (!isUsable(rows)) continue;
@@ -175,8 +175,8 @@ class SqliteBag final : public ChunkedSource {
     }
     // A damaged tree may lead past rows that were counted. Everything that came is intact.
     std::uint64_t counted = 0;
-    for (const auto& [channel, messages] : place.shares) counted += messages;
-    if (!rows.ended() || chunk.entries.size() < counted) notes_.add(NoteCode::ChunkCorrupt, place.offset);
+    for (const auto& [channel, messages] : location.shares) counted += messages;
+    if (!rows.ended() || chunk.entries.size() < counted) notes_.add(NoteCode::ChunkCorrupt, location.offset);
     return chunk;
   }
 
@@ -188,7 +188,7 @@ class SqliteBag final : public ChunkedSource {
     return message;
   }
 
-  std::optional<Packing> packingOf(const ChunkPlace&) const override { return std::nullopt; }
+  std::optional<Packing> packingOf(const ChunkLocation&) const override { return std::nullopt; }
   Step readRecord(Window&, std::uint64_t, std::uint64_t, std::uint64_t&) override { return Step::DataEnds; }
   std::uint64_t nextChunk(Window&, std::uint64_t, std::uint64_t to) const override { return to; }
 
@@ -282,7 +282,7 @@ class SqliteBag final : public ChunkedSource {
               "SELECT topic_id, timestamp, id, CASE typeof(data) WHEN 'blob' THEN length(data) ELSE "
               "length(CAST(data AS BLOB)) END FROM messages WHERE id > ?1 ORDER BY id");
     rows.with(last_id_);
-    ChunkPlace run;
+    ChunkLocation run;
     std::map<std::uint32_t, std::uint64_t> counts;
     std::uint64_t bytes = 0, count = 0, all = 0;
     std::int64_t run_last = 0;

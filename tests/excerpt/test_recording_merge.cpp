@@ -53,8 +53,8 @@ Content contentOf(const std::string& path) {
                                 std::string(message->bytes.begin(), message->bytes.end()),
                                 message->log_time_ns, message->publish_time_ns, message->sequence});
   }
-  for (const recording::AttachmentPlace& place : (*source)->attachments()) {
-    const auto attachment = (*source)->attachment(place);
+  for (const recording::AttachmentLocation& location : (*source)->attachments()) {
+    const auto attachment = (*source)->attachment(location);
     if (attachment)
       content.files.push_back(
           {attachment->name, attachment->bytes, attachment->log_time_ns, attachment->create_time_ns});

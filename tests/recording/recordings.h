@@ -191,7 +191,7 @@ inline void readEverything(Source& source) {
   const Summary summary = source.summary();
   const std::int64_t start = summary.start_ns.value_or(0), end = summary.end_ns.value_or(0);
   for (const std::int64_t at : {start, start / 2 + end / 2, end}) lastRows(source, at);
-  for (const AttachmentPlace& place : source.attachments()) source.attachment(place);
+  for (const AttachmentLocation& location : source.attachments()) source.attachment(location);
   source.metadata();
   source.refresh();
 }

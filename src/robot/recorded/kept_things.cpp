@@ -77,7 +77,7 @@ std::vector<map::OverlayFeature> overlaysOf(const wire::Json& places) {
 }  // namespace
 
 void KeptThings::look() {
-  const std::vector<recording::AttachmentPlace>& all = file_.attachments();
+  const std::vector<recording::AttachmentLocation>& all = file_.attachments();
   if (all.size() < looked_) {
     by_name_.clear();
     submaps_.clear();
@@ -85,15 +85,15 @@ void KeptThings::look() {
   }
   const auto earlier = [&](std::size_t a, std::size_t b) { return all[a].log_time_ns < all[b].log_time_ns; };
   for (; looked_ < all.size(); ++looked_) {
-    Places& places = by_name_[all[looked_].name];
-    places.insert(std::upper_bound(places.begin(), places.end(), looked_, earlier), looked_);
+    Indexes& indexes = by_name_[all[looked_].name];
+    indexes.insert(std::upper_bound(indexes.begin(), indexes.end(), looked_, earlier), looked_);
     if (const auto submap = recorder::submapFrom(all[looked_].name))
       submaps_[{submap->uuid, submap->id}][submap->version] = looked_;
   }
 }
 
-std::optional<std::string> KeptThings::bytesAt(std::size_t place) {
-  const recording::AttachmentPlace& at = file_.attachments()[place];
+std::optional<std::string> KeptThings::bytesAt(std::size_t index) {
+  const recording::AttachmentLocation& at = file_.attachments()[index];
   if (at.size > kMostKeptBytes) return std::nullopt;
   auto attachment = file_.attachment(at);
   if (!attachment) return std::nullopt;
@@ -185,12 +185,12 @@ Outcome<map::WaypointList> KeptThings::waypoints(const map::MapKey& key) {
 std::vector<map::CatalogueEntry> KeptThings::maps() {
   std::vector<map::CatalogueEntry> entries;
   std::int64_t current_ns = std::numeric_limits<std::int64_t>::min();
-  for (const auto& [name, places] : by_name_) {
+  for (const auto& [name, indexes] : by_name_) {
     const auto key = recorder::mapFrom(name);
     if (!key) continue;
     map::CatalogueEntry entry;
     entry.key = *key;
-    entry.bytes = file_.attachments()[places.back()].size;
+    entry.bytes = file_.attachments()[indexes.back()].size;
     wire::JsonReader json;
     const std::string facts_name = recorder::mapFactsName(*key);
     const std::string text = lastOf(facts_name).value_or(std::string());
@@ -218,11 +218,11 @@ std::vector<map::CatalogueEntry> KeptThings::maps() {
 std::string KeptThings::pictureName(const std::string& url, std::int64_t at_ns) const {
   const auto found = by_name_.find(recorder::pictureName(url));
   if (found == by_name_.end()) return url;
-  const Places& places = found->second;
+  const Indexes& indexes = found->second;
   const auto later = std::upper_bound(
-      places.begin(), places.end(), at_ns,
-      [&](std::int64_t at, std::size_t place) { return at < file_.attachments()[place].log_time_ns; });
-  const std::size_t which = later == places.begin() ? 0 : std::size_t(later - places.begin()) - 1;
+      indexes.begin(), indexes.end(), at_ns,
+      [&](std::int64_t at, std::size_t index) { return at < file_.attachments()[index].log_time_ns; });
+  const std::size_t which = later == indexes.begin() ? 0 : std::size_t(later - indexes.begin()) - 1;
   return url + kNumberMark + std::to_string(which);
 }
 

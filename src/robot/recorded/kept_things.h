@@ -36,13 +36,13 @@ class KeptThings {
   Outcome<std::shared_ptr<const std::string>> picture(const std::string& topic, const std::string& name);
 
  private:
-  using Places = std::vector<std::size_t>;  // with the same name, by log time
-  std::optional<std::string> bytesAt(std::size_t place);
+  using Indexes = std::vector<std::size_t>;  // with the same name, by log time
+  std::optional<std::string> bytesAt(std::size_t index);
   std::optional<std::string> lastOf(const std::string& name);
 
   recording::Source& file_;
   std::size_t looked_ = 0;
-  std::unordered_map<std::string, Places> by_name_;
+  std::unordered_map<std::string, Indexes> by_name_;
   /// By uuid and id, then by version.
   std::map<std::pair<std::string, map::SubmapId>, std::map<std::int32_t, std::size_t>> submaps_;
 };
