@@ -49,7 +49,7 @@ map::TopicMessage listedPoints(const std::string& topic, const wire::JsonList& r
 
 struct Field {
   std::string name;  // in lower case
-  wire::NumberPlace place;
+  wire::PackedNumber number;
 };
 
 /// The robot's names, and the numbers and names of ROS PointField.
@@ -112,10 +112,10 @@ map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, s
   cloud.reserve(bytes->size() / layout.record);
   for (std::size_t at = 0; at + layout.record <= bytes->size() && !cloud.full(); at += layout.record) {
     const char* record = bytes->data() + at;
-    cloud.add(wire::numberAt(record, x->place), wire::numberAt(record, y->place),
-              z ? wire::numberAt(record, z->place) : 0, bright ? wire::numberAt(record, bright->place) : 0);
+    cloud.add(wire::numberAt(record, x->number), wire::numberAt(record, y->number),
+              z ? wire::numberAt(record, z->number) : 0, bright ? wire::numberAt(record, bright->number) : 0);
   }
-  return cloud.message(topic, bright && wire::isByte(bright->place.type));
+  return cloud.message(topic, bright && wire::isByte(bright->number.type));
 }
 
 /// The same fields, with records as lists of numbers.
@@ -139,7 +139,7 @@ map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, c
     }
     cloud.add(point[0], point[1], point[2], point[3]);
   }
-  return cloud.message(topic, layout.brightness() && wire::isByte(layout.brightness()->place.type));
+  return cloud.message(topic, layout.brightness() && wire::isByte(layout.brightness()->number.type));
 }
 
 }  // namespace

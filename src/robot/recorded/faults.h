@@ -7,7 +7,7 @@ namespace mapwright::robot::recorded::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
-// Recordings as files. Places are bytes from the start of the file.
+// Recordings as files. Offsets are bytes from the start of the file.
 /// its name; because: why
 inline constexpr FaultCode RecordingNotOpened{
     "recorded", QT_TRANSLATE_NOOP("recorded", "The recording %1 cannot be opened")};
@@ -22,14 +22,14 @@ inline constexpr FaultCode RecordingNotBegun{
     QT_TRANSLATE_NOOP(
         "recorded",
         "Its end is missing and it has no messages yet: recording was interrupted, or is still going on.")};
-/// place
+/// offset
 inline constexpr FaultCode RecordingCutOff{
     "recorded", QT_TRANSLATE_NOOP("recorded", "It is cut off at byte %1. Everything before that is played.")};
-/// how many, place of the first
+/// how many, offset of the first
 inline constexpr FaultCode RecordingBytesSkipped{
     "recorded",
     QT_TRANSLATE_N_NOOP("recorded", "%1 bytes of it cannot be read (from byte %2 on) and are skipped.")};
-/// how many, place of the first
+/// how many, offset of the first
 inline constexpr FaultCode RecordingChunksCorrupt{
     "recorded",
     QT_TRANSLATE_N_NOOP("recorded",
@@ -49,7 +49,7 @@ inline constexpr FaultCode RecordingChunksPacked{
     QT_TRANSLATE_N_NOOP(
         "recorded",
         "%1 chunks of it use an unknown compression: %3 (the first at byte %2). They are skipped.")};
-/// how many, place of the first
+/// how many, offset of the first
 inline constexpr FaultCode RecordingChunkTimesWrong{
     "recorded",
     QT_TRANSLATE_N_NOOP("recorded", "%1 chunks of it state a wrong time range (the first at byte %2).")};

@@ -50,7 +50,7 @@ tl::unexpected<Fault> missing(const char* member) {
 }
 
 using wire::NumberType;
-using Packed = wire::NumberPlace;
+using Packed = wire::PackedNumber;
 using PackedFields = std::vector<std::pair<std::string, Packed>>;
 
 /// NumericType, by its name or by its number in the schema.
@@ -79,8 +79,8 @@ PackedFields packedFields(const Field& fields, std::size_t stride) {
     // What is 0 may be left out.
     const auto offset = field["offset"].isNull() ? std::optional<std::int64_t>(0) : field["offset"].integer();
     if (!type || !offset || *offset < 0 || all.size() >= kMostFields) return;
-    const Packed place{*type, std::size_t(*offset)};
-    if (place.liesIn(stride)) all.emplace_back(field["name"].text(), place);
+    const Packed number{*type, std::size_t(*offset)};
+    if (number.liesIn(stride)) all.emplace_back(field["name"].text(), number);
   });
   return all;
 }
@@ -142,9 +142,9 @@ QCborMap poseOf(const Field& pose) {
 
 Eigen::Isometry3d placeOf(const Field& pose) {
   const Field at = pose["position"];
-  Eigen::Isometry3d place(turnOf(pose["orientation"]));
-  place.translation() = Eigen::Vector3d(numberOf(at["x"], 0), numberOf(at["y"], 0), numberOf(at["z"], 0));
-  return place;
+  Eigen::Isometry3d transform(turnOf(pose["orientation"]));
+  transform.translation() = Eigen::Vector3d(numberOf(at["x"], 0), numberOf(at["y"], 0), numberOf(at["z"], 0));
+  return transform;
 }
 
 /// Points as floats, x y z and intensity.

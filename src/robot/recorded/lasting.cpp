@@ -160,7 +160,7 @@ void Lasting::reset(std::vector<LastingTopic> topics, const RosShape& shape) {
   indexed_.clear();
   transforms_.clear();
   for (std::uint32_t i = 0; i < topics_.size(); ++i) {
-    // Its places are those of its first entry; a topic may have several.
+    // Its positions are those of its first entry; a topic may have several.
     by_topic_.try_emplace(topics_[i].topic, i);
     const Lasts lasts = topics_[i].lasts;
     if (lasts == Lasts::Transforms) transforms_.push_back(topics_[i].topic);
@@ -196,7 +196,7 @@ std::string Lasting::frameOfRobot(const std::string& topic, const std::string& f
   return ros::namespaceAmong(robots_, topic) + '\n' + ros::frameName(frame);
 }
 
-Lasting::Place Lasting::placeOf(const Message& message, std::uint32_t topic) {
+Lasting::Position Lasting::positionOf(const Message& message, std::uint32_t topic) {
   auto& [at_ns, count] = counted_[topic];
   if (at_ns != message.log_time_ns) count = 0;
   at_ns = message.log_time_ns;
@@ -249,15 +249,15 @@ void Lasting::apply(const Message& message) {
     keepCheckpoint();
     dropDeleted();
   }
-  const Place place = placeOf(message, known->second);
+  const Position position = positionOf(message, known->second);
   for (std::uint32_t i = known->second; i < topics_.size() && topics_[i].topic == known->first; ++i) {
-    if (topics_[i].lasts == Lasts::PerChild) applyTransforms(message, place);
-    if (topics_[i].lasts == Lasts::PerMarker) applyMarkers(message, place);
-    if (topics_[i].lasts == Lasts::Autoxing) applyFrame(message, place);
+    if (topics_[i].lasts == Lasts::PerChild) applyTransforms(message, position);
+    if (topics_[i].lasts == Lasts::PerMarker) applyMarkers(message, position);
+    if (topics_[i].lasts == Lasts::Autoxing) applyFrame(message, position);
   }
 }
 
-void Lasting::applyTransforms(const Message& message, const Place& place) {
+void Lasting::applyTransforms(const Message& message, const Position& position) {
   const auto frame = fields_.read(message);
   if (!frame) return;  // it is reported where it is played
   for (const ros::TfRow& row : ros::readTf((*frame)->root())) {
@@ -267,52 +267,53 @@ void Lasting::applyTransforms(const Message& message, const Place& place) {
         state_.entries.try_emplace({kTransform, nameOf(frameOfRobot(message.channel->topic, row.child)), 0});
     // Whoever repeats it adds nothing.
     if (!is_new && entry->second.content == content) continue;
-    entry->second = {place, kNever, content};
-    statics_[entry->first.name].emplace(saidNs(message), place);
+    entry->second = {position, kNever, content};
+    statics_[entry->first.name].emplace(saidNs(message), position);
     ++since_checkpoint_;
   }
 }
 
-void Lasting::applyMarkers(const Message& message, const Place& place) {
+void Lasting::applyMarkers(const Message& message, const Position& position) {
   const auto frame = fields_.read(message);
   const auto markers = frame ? markersIn(**frame, message) : tl::unexpected(Fault());
   if (!markers) return;
   state_.any_markers = true;
   const std::int64_t at_ns = saidNs(message);
   for (const ros::Marker& marker : *markers) {
-    const Key key{place.topic, nameOf(marker.ns), marker.id};
+    const Key key{position.topic, nameOf(marker.ns), marker.id};
     ++since_checkpoint_;
     switch (marker.action) {
       case ros::Marker::Action::Add: {
         const bool ends = marker.lifetime_s > 0 && marker.lifetime_s < 1e9;
-        state_.entries[key] = {place, ends ? at_ns + recording::nanosecondsOf(marker.lifetime_s) : kNever, 0};
+        state_.entries[key] = {position, ends ? at_ns + recording::nanosecondsOf(marker.lifetime_s) : kNever,
+                               0};
         break;
       }
       case ros::Marker::Action::Delete:
         if (const auto entry = state_.entries.find(key); entry != state_.entries.end()) {
-          entry->second = {place, kDeleted, 0};
+          entry->second = {position, kDeleted, 0};
           ++deleted_;
         }
         break;
       case ros::Marker::Action::DeleteAll:
-        state_.entries.erase(state_.entries.lower_bound({place.topic, 0, kDeleted}),
-                             state_.entries.lower_bound({place.topic + 1, 0, kDeleted}));
+        state_.entries.erase(state_.entries.lower_bound({position.topic, 0, kDeleted}),
+                             state_.entries.lower_bound({position.topic + 1, 0, kDeleted}));
         break;
     }
   }
 }
 
 /// The first message of a session or map, and that of the one before it: it forgets what lay in that one.
-void Lasting::applyFrame(const Message& message, const Place& place) {
+void Lasting::applyFrame(const Message& message, const Position& position) {
   const auto* const text = reinterpret_cast<const char*>(message.bytes.data());
   const axbot::TextFrame frame = axbot::parseTextFrame({text, message.bytes.size()});
   if (!frame.message) return;
   const auto begins = [&](const std::string& what) {
-    Entry& now = state_.entries[{place.topic, 0, 0}];
+    Entry& now = state_.entries[{position.topic, 0, 0}];
     const std::uint64_t content = std::hash<std::string>()(what) | 1;
     if (now.content == content) return;
-    if (now.content != 0) state_.entries[{place.topic, 0, 1}] = now;
-    now = {place, kNever, content};
+    if (now.content != 0) state_.entries[{position.topic, 0, 1}] = now;
+    now = {position, kNever, content};
     ++since_checkpoint_;
   };
   if (const auto* list = std::get_if<map::SubmapList>(&*frame.message)) {
@@ -321,7 +322,7 @@ void Lasting::applyFrame(const Message& message, const Place& place) {
     begins(info->uid + '\n' + info->name + '\n' + std::to_string(info->map_version.value_or(0)));
   } else if (const auto* outlines = std::get_if<map::NearbyFootprintsMessage>(&*frame.message)) {
     for (const auto& [digest, outline] : outlines->by_digest) {
-      state_.entries[{place.topic, nameOf(digest), 2}] = {place, kNever, 0};
+      state_.entries[{position.topic, nameOf(digest), 2}] = {position, kNever, 0};
       ++since_checkpoint_;
     }
   }
@@ -361,10 +362,10 @@ void Lasting::dropDeleted() {
   const std::size_t size = state_.entries.size();
   if (deleted_ < 5000 + size / 2 && size < 5000 + 2 * cleaned_) return;
   Found found;
-  const std::set<Place> kept = live(state_.until_ns, found);
+  const std::set<Position> kept = live(state_.until_ns, found);
   const std::int64_t now_ns = state_.until_ns;
   std::erase_if(state_.entries, [&](const auto& entry) {
-    return entry.second.until_ns <= now_ns && !kept.contains(entry.second.place);
+    return entry.second.until_ns <= now_ns && !kept.contains(entry.second.position);
   });
   deleted_ = 0;
   cleaned_ = state_.entries.size();
@@ -380,16 +381,16 @@ std::optional<std::int64_t> Lasting::nextMarkerEnd() const {
   return next;
 }
 
-void Lasting::read(const std::set<Place>& places, Found& found) {
-  for (auto place = places.begin(); place != places.end();) {
-    const std::int64_t at_ns = place->log_ns;
-    std::set<Place> wanted;
+void Lasting::read(const std::set<Position>& positions, Found& found) {
+  for (auto position = positions.begin(); position != positions.end();) {
+    const std::int64_t at_ns = position->log_ns;
+    std::set<Position> wanted;
     recording::Query query;
     query.first_ns = query.last_ns = at_ns;
-    for (; place != places.end() && place->log_ns == at_ns; ++place) {
-      if (found.contains(*place)) continue;
-      wanted.insert(*place);
-      query.topics.push_back(topics_[place->topic].topic);
+    for (; position != positions.end() && position->log_ns == at_ns; ++position) {
+      if (found.contains(*position)) continue;
+      wanted.insert(*position);
+      query.topics.push_back(topics_[position->topic].topic);
     }
     if (wanted.empty()) continue;
     std::map<std::string, std::uint32_t> counted;
@@ -398,7 +399,7 @@ void Lasting::read(const std::set<Place>& places, Found& found) {
       auto message = cursor->next();
       if (!message) break;
       const std::string& topic = message->channel->topic;
-      const Place here{at_ns, by_topic_.at(topic), counted[topic]++};
+      const Position here{at_ns, by_topic_.at(topic), counted[topic]++};
       if (!wanted.contains(here)) continue;
       found.emplace(here, std::move(*message));
       --left;
@@ -406,36 +407,36 @@ void Lasting::read(const std::set<Place>& places, Found& found) {
   }
 }
 
-FramePtr Lasting::frameOf(const Place& place, const Message& message) {
-  const auto known = frames_.find(place);
+FramePtr Lasting::frameOf(const Position& position, const Message& message) {
+  const auto known = frames_.find(position);
   if (known != frames_.end()) return known->second;
   auto frame = fields_.read(message);
-  return frames_.emplace(place, frame ? std::move(*frame) : nullptr).first->second;
+  return frames_.emplace(position, frame ? std::move(*frame) : nullptr).first->second;
 }
 
 /// A message counts while one of its transforms or markers does; and with it the last word about each of its
 /// other ones.
-std::set<Lasting::Place> Lasting::live(std::int64_t at_ns, Found& found) {
-  std::set<Place> all, markers;
+std::set<Lasting::Position> Lasting::live(std::int64_t at_ns, Found& found) {
+  std::set<Position> all, markers;
   for (const auto& [key, entry] : state_.entries) {
     if (entry.until_ns <= at_ns) continue;
-    all.insert(entry.place);
-    if (isMarker(key)) markers.insert(entry.place);
+    all.insert(entry.position);
+    if (isMarker(key)) markers.insert(entry.position);
   }
-  for (std::set<Place> next = markers; !next.empty();) {
+  for (std::set<Position> next = markers; !next.empty();) {
     read(next, found);
-    std::set<Place> more;
-    for (const Place& place : next) {
-      const auto message = found.find(place);
+    std::set<Position> more;
+    for (const Position& position : next) {
+      const auto message = found.find(position);
       if (message == found.end()) continue;
-      const FramePtr frame = frameOf(place, message->second);
+      const FramePtr frame = frameOf(position, message->second);
       const auto read = frame ? markersIn(*frame, message->second) : tl::unexpected(Fault());
       if (!read) continue;
       for (const ros::Marker& marker : *read) {
         if (marker.action != ros::Marker::Action::Add) continue;
-        const auto entry = state_.entries.find({place.topic, nameOf(marker.ns), marker.id});
-        if (entry != state_.entries.end() && all.insert(entry->second.place).second)
-          more.insert(entry->second.place);
+        const auto entry = state_.entries.find({position.topic, nameOf(marker.ns), marker.id});
+        if (entry != state_.entries.end() && all.insert(entry->second.position).second)
+          more.insert(entry->second.position);
       }
     }
     next = std::move(more);
@@ -445,7 +446,7 @@ std::set<Lasting::Place> Lasting::live(std::int64_t at_ns, Found& found) {
 
 void Lasting::addStamps(const Message& message, Lasts lasts, Stamped& need) {
   if (lasts == Lasts::PerMarker) {
-    const FramePtr frame = frameOf(need.place, message);
+    const FramePtr frame = frameOf(need.position, message);
     const auto markers = frame ? markersIn(*frame, message) : tl::unexpected(Fault());
     if (!markers) return;
     for (const ros::Marker& marker : *markers) {
@@ -506,26 +507,26 @@ void around(const std::deque<Pair>& pairs, double stamp_s, std::int64_t from_ns,
 }  // namespace
 
 /// The transforms by which they were placed.
-void Lasting::addPlacing(std::vector<Stamped> needs, std::set<Place>& places) {
+void Lasting::addPlacing(std::vector<Stamped> needs, std::set<Position>& positions) {
   std::erase_if(needs, [](const Stamped& need) { return need.stamps_s.empty(); });
   // Static ones as they were then: they may be others now.
   for (const Stamped& need : needs) {
-    std::set<Place>& by = placed_by_[need.place];
+    std::set<Position>& by = placed_by_[need.position];
     for (const auto& [child, changes] : statics_) {
-      const auto after = changes.lower_bound({need.at_ns + kLateNs + 1, Place{kDeleted, 0, 0}});
+      const auto after = changes.lower_bound({need.at_ns + kLateNs + 1, Position{kDeleted, 0, 0}});
       if (after != changes.begin()) by.insert(std::prev(after)->second);
     }
-    places.insert(by.begin(), by.end());
+    positions.insert(by.begin(), by.end());
   }
   if (transforms_.empty() || needs.empty()) return;
   std::sort(needs.begin(), needs.end(), [](const auto& a, const auto& b) { return a.at_ns < b.at_ns; });
   std::map<std::string, std::deque<Pair>> pairs;  // by child
-  std::deque<Place> read;                         // of the messages
+  std::deque<Position> read;                      // of the messages
   std::size_t gone = 0;                           // of `read`, from its front
   const auto settle = [&](const Stamped& need) {
-    std::set<Place>& by = placed_by_[need.place];
+    std::set<Position>& by = placed_by_[need.position];
     const std::int64_t from_ns = need.at_ns - kHistoryNs, until_ns = need.at_ns + kLateNs;
-    const auto addPlace = [&](std::size_t message) {
+    const auto addPosition = [&](std::size_t message) {
       if (message >= gone) by.insert(read[message - gone]);
     };
     std::vector<double> stamps_s;
@@ -548,15 +549,15 @@ void Lasting::addPlacing(std::vector<Stamped> needs, std::set<Place>& places) {
     std::sort(stamps_s.begin(), stamps_s.end());
     stamps_s.erase(std::unique(stamps_s.begin(), stamps_s.end()), stamps_s.end());
     for (const double stamp_s : stamps_s) {
-      for (const auto& [child, of] : pairs) around(of, stamp_s, from_ns, until_ns, addPlace);
+      for (const auto& [child, of] : pairs) around(of, stamp_s, from_ns, until_ns, addPosition);
     }
-    places.insert(by.begin(), by.end());
+    positions.insert(by.begin(), by.end());
   };
   std::size_t settled = 0;
   const auto add = [&](const Message& message) {
     const auto known = by_topic_.find(message.channel->topic);
     if (known == by_topic_.end()) return;
-    const Place place = placeOf(message, known->second);
+    const Position position = positionOf(message, known->second);
     const std::int64_t said_ns = saidNs(message);
     for (; settled < needs.size() && needs[settled].at_ns + kLateNs < said_ns; ++settled)
       settle(needs[settled]);
@@ -567,7 +568,7 @@ void Lasting::addPlacing(std::vector<Stamped> needs, std::set<Place>& places) {
       while (!of.empty() && of.front().said_ns < said_ns - kHistoryNs - 2 * kLateNs) of.pop_front();
       of.push_back({row.stamp_s, said_ns, gone + read.size()});
     }
-    read.push_back(place);
+    read.push_back(position);
     for (; read.size() > 100'000; ++gone) read.pop_front();
   };
   // What a part of a recording says of the time before it lies at its start.
@@ -609,8 +610,8 @@ void Lasting::addRest(std::int64_t at_ns, Found& found, std::vector<Stamped>& ne
     counted_.clear();
     const auto cursor = file_.messages(query);
     while (auto message = cursor->next()) {
-      const Place place = placeOf(*message, by_topic_.at(message->channel->topic));
-      found.insert_or_assign(place, std::move(*message));
+      const Position position = positionOf(*message, by_topic_.at(message->channel->topic));
+      found.insert_or_assign(position, std::move(*message));
     }
   };
   std::vector<std::string> last_of;
@@ -627,11 +628,11 @@ void Lasting::addRest(std::int64_t at_ns, Found& found, std::vector<Stamped>& ne
   if (!transforms_.empty()) readInto({.first_ns = at_ns - kHistoryNs, .topics = transforms_});
   if (last_of.empty()) return;
   for (Message& message : file_.lastBefore(at_ns - 1, last_of)) {
-    const Place place{message.log_time_ns, by_topic_.at(message.channel->topic), kLastOfTopic};
-    Stamped need{place, saidNs(message), {}};
+    const Position position{message.log_time_ns, by_topic_.at(message.channel->topic), kLastOfTopic};
+    Stamped need{position, saidNs(message), {}};
     if (!transforms_.empty() || !statics_.empty()) addStamps(message, Lasts::UntilNext, need);
     needs.push_back(std::move(need));
-    found.insert_or_assign(place, std::move(message));
+    found.insert_or_assign(position, std::move(message));
   }
 }
 
@@ -639,41 +640,41 @@ std::vector<Message> Lasting::before(std::int64_t at_ns) {
   reach(at_ns);
   cursor_.reset();
   Found found;
-  std::set<Place> places = live(at_ns, found), placing;
+  std::set<Position> positions = live(at_ns, found), placing;
   std::vector<Stamped> needs;
   const auto placed_by = std::exchange(placed_by_, {});
-  for (const auto& [place, message] : found) {
-    Stamped need{place, saidNs(message), {}};
+  for (const auto& [position, message] : found) {
+    Stamped need{position, saidNs(message), {}};
     // Those that may have been placed only since are looked at again.
-    const auto known = placed_by.find(place);
+    const auto known = placed_by.find(position);
     if (known != placed_by.end() && need.at_ns + kLateNs < at_ns) {
       placing.insert(known->second.begin(), known->second.end());
       placed_by_.insert(*known);
       continue;
     }
     addStamps(message, Lasts::PerMarker, need);
-    if (need.stamps_s.empty()) placed_by_[place];
+    if (need.stamps_s.empty()) placed_by_[position];
     needs.push_back(std::move(need));
   }
   addRest(at_ns, found, needs);
   addPlacing(std::move(needs), placing);
   std::erase_if(placed_by_, [](const auto& one) { return one.first.ordinal == kLastOfTopic; });
   // Those of later are not known yet.
-  std::erase_if(placing, [&](const Place& place) { return place.log_ns >= at_ns; });
-  places.merge(placing);
-  read(places, found);
+  std::erase_if(placing, [&](const Position& position) { return position.log_ns >= at_ns; });
+  positions.merge(placing);
+  read(positions, found);
   // The last one of a topic may have been found in two ways.
   std::erase_if(found, [&](const auto& one) {
-    const auto& [place, message] = one;
-    if (place.ordinal != kLastOfTopic) return false;
-    const auto same = std::prev(found.upper_bound({place.log_ns, place.topic, kLastOfTopic - 1}),
-                                found.begin()->first < place ? 1 : 0);
-    return same->first.log_ns == place.log_ns && same->first.topic == place.topic &&
+    const auto& [position, message] = one;
+    if (position.ordinal != kLastOfTopic) return false;
+    const auto same = std::prev(found.upper_bound({position.log_ns, position.topic, kLastOfTopic - 1}),
+                                found.begin()->first < position ? 1 : 0);
+    return same->first.log_ns == position.log_ns && same->first.topic == position.topic &&
            same->first.ordinal != kLastOfTopic &&
            std::equal(same->second.bytes.begin(), same->second.bytes.end(), message.bytes.begin(),
                       message.bytes.end());
   });
-  std::erase_if(frames_, [&](const auto& frame) { return !places.contains(frame.first); });
+  std::erase_if(frames_, [&](const auto& frame) { return !positions.contains(frame.first); });
   return inOrder(std::move(found));
 }
 
@@ -682,7 +683,7 @@ std::vector<Message> Lasting::inOrder(Found found) {
   using Row = std::pair<std::int64_t, Message>;
   std::vector<Row> rows;
   rows.reserve(found.size());
-  for (auto& [place, message] : found) rows.emplace_back(saidNs(message), std::move(message));
+  for (auto& [position, message] : found) rows.emplace_back(saidNs(message), std::move(message));
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.first < b.first; });
   for (auto first = rows.begin(); first != rows.end();) {
     const auto last = std::find_if(first, rows.end(), [&](const Row& row) {

@@ -1,7 +1,7 @@
 // Which earlier messages still count at a time: with them, in this order, everything is as after all messages
 // until then. A topic of most kinds only tells the present: its last message counts. Transforms, markers and
-// patches last otherwise (Lasts). The file is read once, from its beginning on; what is kept are places in
-// it.
+// patches last otherwise (Lasts). The file is read once, from its beginning on; what is kept are positions
+// in it.
 #pragma once
 
 #include <compare>
@@ -69,10 +69,10 @@ class Lasting {
 
  private:
   /// A message in the file: the n-th of its topic at that log time.
-  struct Place {
+  struct Position {
     std::int64_t log_ns = 0;
     std::uint32_t topic = 0, ordinal = 0;
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const Position&) const = default;
   };
   static constexpr std::uint32_t kLastOfTopic = std::numeric_limits<std::uint32_t>::max();  // as an ordinal
   /// A child frame of a robot, whatever its topic, or a marker.
@@ -84,7 +84,7 @@ class Lasting {
   };
   /// The last message about it.
   struct Entry {
-    Place place;
+    Position position;
     std::int64_t until_ns = 0;  // its end; the lowest number: it is deleted
     std::uint64_t content = 0;  // of a static transform, to recognise repetitions
   };
@@ -98,27 +98,27 @@ class Lasting {
   static std::size_t weightOf(const State& state) { return state.entries.size() + 16; }
   /// A message with the time of its content.
   struct Stamped {
-    Place place;
+    Position position;
     std::int64_t at_ns = 0;
     std::vector<std::optional<double>> stamps_s;  // nullopt: the latest
   };
-  using Found = std::map<Place, recording::Message>;
+  using Found = std::map<Position, recording::Message>;
 
   std::uint32_t nameOf(const std::string& name);
   std::string frameOfRobot(const std::string& topic, const std::string& frame) const;
-  Place placeOf(const recording::Message& message, std::uint32_t topic);
+  Position positionOf(const recording::Message& message, std::uint32_t topic);
   void apply(const recording::Message& message);
-  void applyTransforms(const recording::Message& message, const Place& place);
-  void applyMarkers(const recording::Message& message, const Place& place);
-  void applyFrame(const recording::Message& message, const Place& place);
+  void applyTransforms(const recording::Message& message, const Position& position);
+  void applyMarkers(const recording::Message& message, const Position& position);
+  void applyFrame(const recording::Message& message, const Position& position);
   bool isMarker(const Key& key) const;
   void keepCheckpoint();
   void dropDeleted();
-  std::set<Place> live(std::int64_t at_ns, Found& found);
-  void read(const std::set<Place>& places, Found& found);
-  FramePtr frameOf(const Place& place, const recording::Message& message);
+  std::set<Position> live(std::int64_t at_ns, Found& found);
+  void read(const std::set<Position>& positions, Found& found);
+  FramePtr frameOf(const Position& position, const recording::Message& message);
   void addStamps(const recording::Message& message, Lasts lasts, Stamped& need);
-  void addPlacing(std::vector<Stamped> needs, std::set<Place>& places);
+  void addPlacing(std::vector<Stamped> needs, std::set<Position>& positions);
   void addRest(std::int64_t at_ns, Found& found, std::vector<Stamped>& needs);
   static std::vector<recording::Message> inOrder(Found found);
 
@@ -139,10 +139,10 @@ class Lasting {
   std::size_t cleaned_ = 0;  // how many were left when they were last cleaned up
 
   /// Each change of a child frame's static transform, with its time.
-  std::map<std::uint32_t, std::set<std::pair<std::int64_t, Place>>> statics_;
+  std::map<std::uint32_t, std::set<std::pair<std::int64_t, Position>>> statics_;
 
-  std::map<Place, FramePtr> frames_;            // of the last before()
-  std::map<Place, std::set<Place>> placed_by_;  // by markers: of the last before()
+  std::map<Position, FramePtr> frames_;               // of the last before()
+  std::map<Position, std::set<Position>> placed_by_;  // by markers: of the last before()
 };
 
 }  // namespace mapwright::robot::recorded

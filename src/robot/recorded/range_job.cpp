@@ -176,8 +176,8 @@ void RangeJob::add(BagMessage told, std::string_view text) {
 void RangeJob::keepLastPose() {
   BagMessage& now = chunk_->messages.back();
   if (!std::holds_alternative<map::TrackedPose>(now.message.message)) return;
-  const std::size_t place = chunk_->messages.size() - 1;
-  if (const auto last = std::exchange(last_pose_, place)) {
+  const std::size_t index = chunk_->messages.size() - 1;
+  if (const auto last = std::exchange(last_pose_, index)) {
     BagMessage& before = chunk_->messages[*last];
     if (before.message.received_s != now.message.received_s) return;
     before.known = false;

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kBrokeOff = "broke_off_ns";
 
 /// Which arguments the fault of a note has.
-enum class Says { Nothing, Place, Count, CountAndPlace, CountPlaceAndName, Name };
+enum class Says { Nothing, Offset, Count, CountAndOffset, CountOffsetAndName, Name };
 struct NoteFault {
   recording::NoteCode note;
   FaultCode fault;
@@ -32,19 +32,19 @@ constexpr NoteFault kNoteFaults[] = {
      Says::Nothing, false},
     {Code::IndexUnusable, faultText("recorded", "Its index is damaged, so the whole file was scanned."),
      Says::Nothing, false},
-    {Code::CutOff, fault::RecordingCutOff, Says::Place, true},
-    {Code::BytesSkipped, fault::RecordingBytesSkipped, Says::CountAndPlace, true},
-    {Code::ChunkCorrupt, fault::RecordingChunksCorrupt, Says::CountAndPlace, true},
-    {Code::ChunkChecksum, fault::RecordingChunksChanged, Says::CountAndPlace, true},
-    {Code::ChunkTooLarge, fault::RecordingChunksTooLarge, Says::CountAndPlace, true},
-    {Code::ChunkCompression, fault::RecordingChunksPacked, Says::CountPlaceAndName, true},
-    {Code::ChunkTimes, fault::RecordingChunkTimesWrong, Says::CountAndPlace, false},
-    {Code::RecordTooLarge, fault::RecordingRecordsTooLarge, Says::CountAndPlace, true},
-    {Code::RecordCorrupt, fault::RecordingRecordsCorrupt, Says::CountAndPlace, true},
-    {Code::UnknownChannel, fault::RecordingChannelsUnknown, Says::CountAndPlace, true},
-    {Code::ChannelChanged, fault::RecordingChannelsChanged, Says::CountAndPlace, false},
+    {Code::CutOff, fault::RecordingCutOff, Says::Offset, true},
+    {Code::BytesSkipped, fault::RecordingBytesSkipped, Says::CountAndOffset, true},
+    {Code::ChunkCorrupt, fault::RecordingChunksCorrupt, Says::CountAndOffset, true},
+    {Code::ChunkChecksum, fault::RecordingChunksChanged, Says::CountAndOffset, true},
+    {Code::ChunkTooLarge, fault::RecordingChunksTooLarge, Says::CountAndOffset, true},
+    {Code::ChunkCompression, fault::RecordingChunksPacked, Says::CountOffsetAndName, true},
+    {Code::ChunkTimes, fault::RecordingChunkTimesWrong, Says::CountAndOffset, false},
+    {Code::RecordTooLarge, fault::RecordingRecordsTooLarge, Says::CountAndOffset, true},
+    {Code::RecordCorrupt, fault::RecordingRecordsCorrupt, Says::CountAndOffset, true},
+    {Code::UnknownChannel, fault::RecordingChannelsUnknown, Says::CountAndOffset, true},
+    {Code::ChannelChanged, fault::RecordingChannelsChanged, Says::CountAndOffset, false},
     {Code::AttachmentCorrupt, fault::RecordingFileInItCorrupt, Says::Name, true},
-    {Code::Unreadable, faultText("recorded", "The disk cannot read it at byte %1."), Says::Place, true},
+    {Code::Unreadable, faultText("recorded", "The disk cannot read it at byte %1."), Says::Offset, true},
     {Code::TableDamaged, fault::RecordingTableDamaged, Says::Count, true},
     {Code::FileMissing,
      faultText("recorded", "Its file %1 is missing or cannot be read. The others are played."), Says::Name,
@@ -72,20 +72,20 @@ std::string timeWords(std::int64_t epoch_ns) {
 }  // namespace
 
 Fault reasonOf(const recording::Note& note) {
-  const std::int64_t count = std::int64_t(note.count), place = std::int64_t(note.offset);
+  const std::int64_t count = std::int64_t(note.count), offset = std::int64_t(note.offset);
   for (const NoteFault& one : kNoteFaults) {
     if (one.note != note.code) continue;
     switch (one.says) {
       case Says::Nothing:
         return one.fault;
-      case Says::Place:
-        return {one.fault, {place}};
+      case Says::Offset:
+        return {one.fault, {offset}};
       case Says::Count:
         return {one.fault, {count}};
-      case Says::CountAndPlace:
-        return {one.fault, {count, place}};
-      case Says::CountPlaceAndName:
-        return {one.fault, {count, place, note.name}};
+      case Says::CountAndOffset:
+        return {one.fault, {count, offset}};
+      case Says::CountOffsetAndName:
+        return {one.fault, {count, offset, note.name}};
       case Says::Name:
         return {one.fault, {note.name}};
     }

@@ -24,13 +24,13 @@ constexpr double kLongestSweepS = 5;  // longer is not a plausible scan time
 constexpr double kNearM = 1000;       // closer points are precise enough
 constexpr std::size_t kSampled = 1001;
 
-using wire::NumberPlace;
+using wire::PackedNumber;
 
 /// The layout of points in the bytes of a PointCloud2.
 struct CloudLayout {
-  std::optional<NumberPlace> x, y, z, intensity;
-  std::optional<NumberPlace> color;  // "rgb" or "rgba": four bytes, 0xAARRGGBB
-  std::vector<std::string> outside;  // required fields that extend beyond the record
+  std::optional<PackedNumber> x, y, z, intensity;
+  std::optional<PackedNumber> color;  // "rgb" or "rgba": four bytes, 0xAARRGGBB
+  std::vector<std::string> outside;   // required fields that extend beyond the record
   std::size_t width = 0, height = 0, point_step = 0, row_step = 0;
   bool big_endian = false;
 };
@@ -68,22 +68,22 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
     const std::string name = row["name"].text();
     const auto type = row["datatype"].integer(), offset = row["offset"].integer();
     const bool color = name == "rgb" || name == "rgba";
-    std::optional<NumberPlace>* const wanted = name == "x"           ? &layout.x
-                                               : name == "y"         ? &layout.y
-                                               : name == "z"         ? &layout.z
-                                               : name == "intensity" ? &layout.intensity
-                                               : color               ? &layout.color
-                                                                     : nullptr;
+    std::optional<PackedNumber>* const wanted = name == "x"           ? &layout.x
+                                                : name == "y"         ? &layout.y
+                                                : name == "z"         ? &layout.z
+                                                : name == "intensity" ? &layout.intensity
+                                                : color               ? &layout.color
+                                                                      : nullptr;
     if (!wanted) return;
     const bool known = type && *type >= 1 && *type <= 8 && offset && *offset >= 0;
-    const NumberPlace place =
-        known ? NumberPlace{wire::NumberType(*type), std::size_t(*offset)} : NumberPlace{};
-    if (!known || !place.liesIn(layout.point_step)) {
+    const PackedNumber number =
+        known ? PackedNumber{wire::NumberType(*type), std::size_t(*offset)} : PackedNumber{};
+    if (!known || !number.liesIn(layout.point_step)) {
       if (layout.outside.size() < 8) layout.outside.push_back(name);
       return;
     }
-    if (color && wire::bytesOf(place.type) != 4) return;
-    *wanted = place;
+    if (color && wire::bytesOf(number.type) != 4) return;
+    *wanted = number;
   });
   if (!layout.x || !layout.y) return tl::unexpected(Fault(robot::wire::fault::PointsWithoutFields));
   return layout;
@@ -252,18 +252,18 @@ Read<Points> readMultiEchoScan(const Field& msg) {
   PointList points;
   std::size_t ray = 0, echoes = 0;
   list.each([&](const Field& of) {
-    const std::size_t place = ray++;
+    const std::size_t index = ray++;
     const auto ranges = of["echoes"].numbers(kMostEchoes);
     if (!ranges) return points.leaveOut();
-    const double angle = angle_min + double(place) * angle_step;
+    const double angle = angle_min + double(index) * angle_step;
     for (std::size_t i = 0; i < ranges->size() && echoes < kMostPoints; ++i) {
       const double range = (*ranges)[i];
       if (!(range >= nearest && range <= farthest)) {
         points.leaveOut();
         continue;
       }
-      const bool bright = place < intensities.size() && i < intensities[place].size();
-      points.add({range * std::cos(angle), range * std::sin(angle), 0}, bright ? intensities[place][i] : 0);
+      const bool bright = index < intensities.size() && i < intensities[index].size();
+      points.add({range * std::cos(angle), range * std::sin(angle), 0}, bright ? intensities[index][i] : 0);
       ++echoes;
     }
   });
@@ -282,9 +282,9 @@ Read<Points> readPointCloud1(const Field& msg) {
   const std::size_t stride = strideFor(list.size(), kMostPoints);
   PointList points;
   points.reserve(list.size() / stride + 1);
-  std::size_t place = 0;
+  std::size_t index = 0;
   list.each([&](const Field& item) {
-    const std::size_t at = place++;
+    const std::size_t at = index++;
     if (at % stride == 0) points.add(pointOf(item), intensities ? (*intensities)[at] : 0);
   });
   return std::move(points).points(headerOf(msg), list.size(), false);

@@ -20,7 +20,7 @@ inline std::size_t bytesOf(NumberType type) {
 
 inline bool isByte(NumberType type) { return bytesOf(type) == 1; }
 
-struct NumberPlace {
+struct PackedNumber {
   NumberType type = NumberType::F32;
   std::size_t offset = 0;  // in the record, in which it lies whole
   bool liesIn(std::size_t record_bytes) const {
@@ -37,9 +37,9 @@ T rawNumber(const char* at, bool big_endian) {
 }
 
 /// As it is, which may be no number.
-inline double numberAt(const char* record, const NumberPlace& place, bool big_endian = false) {
-  const char* const at = record + place.offset;
-  switch (place.type) {
+inline double numberAt(const char* record, const PackedNumber& number, bool big_endian = false) {
+  const char* const at = record + number.offset;
+  switch (number.type) {
     case NumberType::I8:
       return double(rawNumber<std::int8_t>(at, big_endian));
     case NumberType::U8:
