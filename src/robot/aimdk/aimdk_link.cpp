@@ -147,12 +147,12 @@ void AimdkLink::ask(const char* method, const QByteArray& body, Reply reply) {
 void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
   if (!answer.ok()) return;
   const std::string_view call = method;
-  wire::DeliveryPlace::Parcel parcel =
+  wire::DeliveryTapSlot::Parcel parcel =
       parcelOf("/aimdk/" + std::string(call.substr(call.rfind('/') + 1)),
                std::make_shared<const std::string>(answer.body.toStdString()), options_.wall_s());
   parcel.encoding = "json";
   parcel.slot = parcel.name;
-  places_->deliveries.pass(std::move(parcel));
+  outputs_->deliveries.pass(std::move(parcel));
 }
 
 void AimdkLink::open() {

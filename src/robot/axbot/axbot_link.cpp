@@ -77,11 +77,11 @@ AxbotLink::AxbotLink(LinkOptions options)
   });
   grids_.setKeeper([this](const std::string& topic, const std::string& data_url,
                           std::shared_ptr<const std::string> picture) {
-    wire::DeliveryPlace::Parcel parcel = parcelOf(data_url, std::move(picture), options_.wall_s());
+    wire::DeliveryTapSlot::Parcel parcel = parcelOf(data_url, std::move(picture), options_.wall_s());
     parcel.kind = Delivery::Kind::Picture;
     parcel.encoding = "image/png";
     parcel.slot = "picture of " + topic;
-    places_->deliveries.pass(std::move(parcel));
+    outputs_->deliveries.pass(std::move(parcel));
   });
   http_.setTrust(options_.trust);
   socket_.setTrust(options_.trust);
@@ -110,7 +110,7 @@ AxbotLink::AxbotLink(LinkOptions options)
   });
   connect(&socket_, &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(&socket_, &net::WebSocketLink::opened, this, [this] {
-    places_->deliveries.forget();
+    outputs_->deliveries.forget();
     robot_ahead_s_.reset();
     delivered_definition_ = false;
     topics_confirmed_ = false;
@@ -254,23 +254,23 @@ void AxbotLink::send(const QStringList& requests) {
 
 void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::string& topic,
                         const char* encoding, std::optional<double> said_s) {
-  wire::DeliveryPlace::Parcel parcel = parcelOf(topic, std::move(bytes), options_.wall_s());
+  wire::DeliveryTapSlot::Parcel parcel = parcelOf(topic, std::move(bytes), options_.wall_s());
   parcel.encoding = encoding;
   if (std::string_view(encoding) == "protobuf") parcel.schema = kBinaryType;
   // A topic may use both ways; an answer without topic belongs to the last request.
   if (!topic.empty()) parcel.slot = encoding + topic;
   parcel.said_s = said_s;
-  places_->deliveries.pass(std::move(parcel));
+  outputs_->deliveries.pass(std::move(parcel));
 }
 
 void AxbotLink::deliverDefinition() {
   if (std::exchange(delivered_definition_, true)) return;
-  wire::DeliveryPlace::Parcel parcel =
+  wire::DeliveryTapSlot::Parcel parcel =
       parcelOf(kBinaryType, std::make_shared<const std::string>(binaryTypeDefinition()), options_.wall_s());
   parcel.kind = Delivery::Kind::Definition;
   parcel.encoding = "protobuf";
   parcel.slot = "definition";
-  places_->deliveries.pass(std::move(parcel));
+  outputs_->deliveries.pass(std::move(parcel));
 }
 
 void AxbotLink::onText(const QByteArray& utf8) {
@@ -281,7 +281,7 @@ void AxbotLink::onText(const QByteArray& utf8) {
     unsaid().hideIn(without);
     if (without != utf8) return onText(without);
   }
-  places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
+  outputs_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
   if (passesRaw(utf8.size())) Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
   // A message may be sent again long after it was stamped: the newest stamp counts.
@@ -304,7 +304,7 @@ void AxbotLink::onText(const QByteArray& utf8) {
 }
 
 void AxbotLink::onBinary(const QByteArray& bytes) {
-  places_->tap.pass({wire::view(bytes), true, options_.wall_s()});
+  outputs_->tap.pass({wire::view(bytes), true, options_.wall_s()});
   auto frame = unpackBinaryFrame(wire::view(bytes));
   const std::string topic = topicOfBinaryFrame(wire::view(bytes));
   if (passesRaw(bytes.size())) Q_EMIT rawReceived(rawBinary(wire::view(bytes)));
@@ -398,14 +398,14 @@ map::SubmapAnswer AxbotLink::onSubmap(const map::SubmapKey& key, const QUrl& url
     answer = parseSubmapResponse(key, wire::view(http.body));
     answer.from_cache = http.from_cache;
     if (answer.outcome == Outcome::Ok) {
-      wire::DeliveryPlace::Parcel parcel;
+      wire::DeliveryTapSlot::Parcel parcel;
       parcel.kind = Delivery::Kind::Submap;
       parcel.encoding = "application/x-protobuf";
       parcel.submap = key;
       if (answer.version > 0) parcel.submap.version = answer.version;
       parcel.bytes = wire::view(http.body);
       parcel.received_s = options_.wall_s();
-      places_->deliveries.pass(std::move(parcel));
+      outputs_->deliveries.pass(std::move(parcel));
     }
     if (cache_ && !http.from_cache) {
       // The address contains the requested version; the body is the robot's present version. Cache it only

@@ -25,7 +25,7 @@ void RosDeliveries::beginAnew() {
   ++round_;
   connected_ = true;
   defining_ = false;
-  place_.forget();
+  tap_.forget();
   types_.clear();
   defined_.clear();
 }
@@ -39,7 +39,7 @@ void RosDeliveries::deliver(const std::string& name, std::string type, std::stri
                             const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
                             std::optional<double> said_s, double received_s) {
   if (!type.empty() && types_.insert(type).second) define();
-  wire::DeliveryPlace::Parcel parcel;
+  wire::DeliveryTapSlot::Parcel parcel;
   parcel.name = name;
   parcel.schema = std::move(type);
   parcel.encoding = frame->wire() == net::rosbridge::Frame::Wire::Binary ? "cbor" : "json";
@@ -49,11 +49,11 @@ void RosDeliveries::deliver(const std::string& name, std::string type, std::stri
   parcel.find = [frame = frame.get(), member] { return frame->rawMember(member); };
   parcel.received_s = received_s;
   parcel.said_s = said_s;
-  place_.pass(std::move(parcel));
+  tap_.pass(std::move(parcel));
 }
 
 void RosDeliveries::define() {
-  if (defining_ || !connected_ || !place_.taken()) return;
+  if (defining_ || !connected_ || !tap_.taken()) return;
   const auto next = std::find_if(types_.begin(), types_.end(),
                                  [&](const std::string& type) { return !defined_.contains(type); });
   if (next == types_.end()) return;
@@ -79,7 +79,7 @@ void RosDeliveries::define() {
 
 void RosDeliveries::deliverDefinition(const std::string& type,
                                       const std::optional<RosDefinition>& definition) {
-  wire::DeliveryPlace::Parcel parcel;
+  wire::DeliveryTapSlot::Parcel parcel;
   parcel.kind = Delivery::Kind::Definition;
   parcel.name = type;
   parcel.encoding = definition && definition->ros2 ? "ros2msg" : "ros1msg";
@@ -91,7 +91,7 @@ void RosDeliveries::deliverDefinition(const std::string& type,
     parcel.keeps = text;
   }
   parcel.received_s = wall_s_();
-  place_.pass(std::move(parcel));
+  tap_.pass(std::move(parcel));
 }
 
 void RosDeliveries::onMessage(const TopicMessage& message) {

@@ -19,9 +19,9 @@ class RosDeliveries {
  public:
   /// All of them outlive this. `found` and `sources` are kept up to date by the link. `wall_s`: the time of
   /// day, in seconds since the epoch.
-  RosDeliveries(wire::DeliveryPlace& place, RosApi& api, const RosGraph& found,
+  RosDeliveries(wire::DeliveryTapSlot& tap, RosApi& api, const RosGraph& found,
                 const std::vector<Source>& sources, std::function<double()> wall_s)
-      : place_(place), api_(api), graph_(found), sources_(sources), wall_s_(std::move(wall_s)) {}
+      : tap_(tap), api_(api), graph_(found), sources_(sources), wall_s_(std::move(wall_s)) {}
 
   void beginAnew();  // another connection
   void pause();      // there is none: nobody can be asked
@@ -38,7 +38,7 @@ class RosDeliveries {
                std::optional<double> said_s, double received_s);
   void deliverDefinition(const std::string& type, const std::optional<RosDefinition>& definition);
 
-  wire::DeliveryPlace& place_;
+  wire::DeliveryTapSlot& tap_;
   RosApi& api_;
   const RosGraph& graph_;
   const std::vector<Source>& sources_;

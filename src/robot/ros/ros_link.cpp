@@ -51,7 +51,7 @@ RosLink::RosLink(LinkOptions options)
       client_(std::make_unique<net::rosbridge::Client>(options_.url, clientOptions())),
       api_(*client_, options_.look_timeout),
       subscriptions_(*client_, api_, options_.topics),
-      deliveries_(places_->deliveries, api_, graph_, sources_, [this] { return wall(); }),
+      deliveries_(outputs_->deliveries, api_, graph_, sources_, [this] { return wall(); }),
       live_map_(options_.map_timeout),
       map_service_(*client_, options_.map_service),
       dispatch_(*client_, options_.dispatch, options_.dispatch_timeouts,
@@ -103,7 +103,7 @@ void RosLink::listen() {
   connect(client_.get(), &Client::received, this, &RosLink::onReceived);
   connect(client_.get(), &Client::frameReceived, this,
           [this](std::string_view bytes, bool binary, double received_s) {
-            places_->tap.pass({bytes, binary, received_s});
+            outputs_->tap.pass({bytes, binary, received_s});
           });
   connect(client_.get(), &Client::statusReceived, this, [this](const QString& level, const QString& words) {
     const bool serious = level == QLatin1String("error") || level == QLatin1String("warning");
@@ -220,7 +220,7 @@ void RosLink::begin() {
   deliveries_.beginAnew();
   reception_ = {};
   least_late_s_.reset();
-  before_ = places_->mailbox.replaced() + world_.gaveWay();
+  before_ = outputs_->mailbox.replaced() + world_.gaveWay();
   world_.forgetAll();
   reportUnplacedMarkers();
   kabam_.state().forget();
@@ -462,7 +462,7 @@ void RosLink::notifyReception() {
   if (reception_told_.isValid() && reception_told_.elapsed() < kReceptionEveryMs) return;
   reception_told_.start();
   Reception now = reception_;
-  now.dropped = qint64(places_->mailbox.replaced() + world_.gaveWay() - before_);
+  now.dropped = qint64(outputs_->mailbox.replaced() + world_.gaveWay() - before_);
   for (const auto& [pair, age_s] : world_.ages(wall())) {
     if (now.transforms.size() == kMostAges) break;
     now.transforms.push_back(

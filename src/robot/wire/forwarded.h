@@ -169,17 +169,17 @@ class BagsOf : public BagLibrary {
 template <typename Link>
 class TopicsOf : public LiveTopics {
  public:
-  explicit TopicsOf(Link* link) : link_(link), places_(link->places()) {}
+  explicit TopicsOf(Link* link) : link_(link), outputs_(link->outputs()) {}
   void setWanted(const map::Streams& streams, const QStringList& topics) override {
     link_.post(&Link::setWanted, streams, topics);
   }
   void setBasics(const Basics& basics) override { link_.post(&Link::setBasics, basics); }
   void setWatching(bool on) override { link_.post(&Link::setWatching, on); }
-  void setTap(FrameTap tap) override { places_->tap.set(std::move(tap)); }
+  void setTap(FrameTap tap) override { outputs_->tap.set(std::move(tap)); }
 
  private:
   LinkRef<Link> link_;
-  std::shared_ptr<Places> places_;
+  std::shared_ptr<LinkOutputs> outputs_;
 };
 
 }  // namespace mapwright::robot::wire

@@ -11,15 +11,15 @@ namespace mapwright::robot::wire {
 std::unique_ptr<QThread> startThread(const QString& name, const std::function<QObject*()>& make) {
   auto thread = std::make_unique<QThread>();
   thread->setObjectName(name);
-  QObject place;
-  place.moveToThread(thread.get());
+  QObject on_thread;
+  on_thread.moveToThread(thread.get());
   thread->start();
   QMetaObject::invokeMethod(
-      &place,
+      &on_thread,
       [&] {
         QObject* const made = make();
         QObject::connect(thread.get(), &QThread::finished, made, &QObject::deleteLater);
-        place.moveToThread(thread->thread());
+        on_thread.moveToThread(thread->thread());
       },
       Qt::BlockingQueuedConnection);
   return thread;
@@ -27,7 +27,7 @@ std::unique_ptr<QThread> startThread(const QString& name, const std::function<QO
 
 NetworkRobot::NetworkRobot(QString address, RobotLink* link, std::unique_ptr<QThread> thread, QObject* parent)
     : Robot(parent),
-      places_(link->places()),
+      outputs_(link->outputs()),
       address_(std::move(address)),
       thread_(std::move(thread)),
       link_(link) {
@@ -81,7 +81,7 @@ void NetworkRobot::onState(ConnectionState state) {
 
 void NetworkRobot::onMail() {
   const QPointer<NetworkRobot> alive(this);
-  for (const map::StampedMessage& message : places_->mailbox.take()) {
+  for (const map::StampedMessage& message : outputs_->mailbox.take()) {
     if (alive) Q_EMIT topicReceived(message);
   }
 }

@@ -41,7 +41,7 @@ class NetworkRobot : public Robot, public Delivers {
   void trustCertificate(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
   QDateTime silentSince() const override { return silent_since_; }
-  void setDeliveryTap(DeliveryTap tap) override { places_->deliveries.set(std::move(tap)); }
+  void setDeliveryTap(DeliveryTap tap) override { outputs_->deliveries.set(std::move(tap)); }
 
  protected:
   NetworkRobot(QString address, RobotLink* link, std::unique_ptr<QThread> thread, QObject* parent);
@@ -53,7 +53,7 @@ class NetworkRobot : public Robot, public Delivers {
   /// It is online, after connectionChanged() has told so.
   virtual void cameOnline() {}
 
-  const std::shared_ptr<Places> places_;
+  const std::shared_ptr<LinkOutputs> outputs_;
 
  private:
   void onState(ConnectionState state);

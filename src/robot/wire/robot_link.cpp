@@ -61,7 +61,7 @@ std::vector<map::StampedMessage> TopicMailbox::take() {
   return messages;
 }
 
-void DeliveryPlace::set(DeliveryTap tap) {
+void DeliveryTapSlot::set(DeliveryTap tap) {
   const std::lock_guard lock(mutex_);
   tap_ = std::move(tap);
   if (!tap_) return;
@@ -72,24 +72,24 @@ void DeliveryPlace::set(DeliveryTap tap) {
   for (const Parcel* parcel : parcels) hand(tap_, *parcel, true);
 }
 
-void DeliveryPlace::pass(Parcel parcel) {
+void DeliveryTapSlot::pass(Parcel parcel) {
   const std::lock_guard lock(mutex_);
   if (tap_) hand(tap_, parcel, false);
   if (!parcel.slot.empty()) hold(std::move(parcel));
 }
 
-bool DeliveryPlace::taken() const {
+bool DeliveryTapSlot::taken() const {
   const std::lock_guard lock(mutex_);
   return bool(tap_);
 }
 
-void DeliveryPlace::forget() {
+void DeliveryTapSlot::forget() {
   const std::lock_guard lock(mutex_);
   held_.clear();
   held_bytes_ = 0;
 }
 
-void DeliveryPlace::hand(const DeliveryTap& tap, const Parcel& parcel, bool before) {
+void DeliveryTapSlot::hand(const DeliveryTap& tap, const Parcel& parcel, bool before) {
   const std::optional<std::string_view> bytes = parcel.find ? parcel.find() : parcel.bytes;
   if (!bytes) return;
   Delivery delivery;
@@ -105,7 +105,7 @@ void DeliveryPlace::hand(const DeliveryTap& tap, const Parcel& parcel, bool befo
   tap(delivery);
 }
 
-void DeliveryPlace::hold(Parcel parcel) {
+void DeliveryTapSlot::hold(Parcel parcel) {
   Held& held = held_[parcel.slot];
   held_bytes_ -= held.parcel.held_bytes;
   held_bytes_ += parcel.held_bytes;
@@ -157,14 +157,14 @@ bool RobotLink::passesRaw(qint64 bytes) { return watching_ && raw_limit_.allow(c
 void RobotLink::pass(map::StampedMessage message) {
   if (!TopicMailbox::takes(message.message)) {
     Q_EMIT topicReceived(message);
-  } else if (places_->mailbox.put(std::move(message))) {
+  } else if (outputs_->mailbox.put(std::move(message))) {
     Q_EMIT mailArrived();
   }
 }
 
-DeliveryPlace::Parcel RobotLink::parcelOf(std::string name, std::shared_ptr<const std::string> body,
-                                          double received_s) {
-  DeliveryPlace::Parcel parcel;
+DeliveryTapSlot::Parcel RobotLink::parcelOf(std::string name, std::shared_ptr<const std::string> body,
+                                            double received_s) {
+  DeliveryTapSlot::Parcel parcel;
   parcel.name = std::move(name);
   parcel.bytes = *body;
   parcel.held_bytes = body->size();

@@ -48,7 +48,7 @@ class TopicMailbox {
 };
 
 /// The present tap of the frames. Thread-safe: set on one thread, called on another.
-class TapPlace {
+class TapSlot {
  public:
   /// Returns when the previous tap is no longer being called.
   void set(FrameTap tap) {
@@ -92,7 +92,7 @@ class RawLimit {
 /// The present tap of deliveries. Thread-safe: set on one thread, called on others. Keeps the last message of
 /// every slot, since a robot sends some only once; if there are too many, the most frequent ones are dropped
 /// first.
-class DeliveryPlace {
+class DeliveryTapSlot {
  public:
   static constexpr std::size_t kMostHeldBytes = std::size_t(96) << 20;
   static constexpr std::size_t kMostSlots = 512;
@@ -155,10 +155,10 @@ double secondsOfDay();
 std::string hostOf(const QUrl& url);
 
 /// What a robot shares with its link. Thread-safe: each of them for itself.
-struct Places {
-  TopicMailbox mailbox;      // large messages
-  TapPlace tap;              // frames
-  DeliveryPlace deliveries;  // all that comes
+struct LinkOutputs {
+  TopicMailbox mailbox;        // large messages
+  TapSlot tap;                 // frames
+  DeliveryTapSlot deliveries;  // all that comes
 };
 
 /// The network half of a robot. Lives on a thread of its own; values go in and out by queued calls.
@@ -168,7 +168,7 @@ class RobotLink : public QObject {
   /// `log` outlives this. `secret` is never repeated of what the robot says.
   RobotLink(const QLoggingCategory& log, const QUrl& server, const QByteArray& secret = {});
   const Unsaid& unsaid() const { return unsaid_; }
-  const std::shared_ptr<Places>& places() const { return places_; }
+  const std::shared_ptr<LinkOutputs>& outputs() const { return outputs_; }
 
   virtual void open() = 0;
   virtual void close() = 0;
@@ -191,13 +191,13 @@ class RobotLink : public QObject {
   /// To whoever shows it, by mail where it is large.
   void pass(map::StampedMessage message);
   /// A body that is kept as long as somebody may want it.
-  static DeliveryPlace::Parcel parcelOf(std::string name, std::shared_ptr<const std::string> body,
-                                        double received_s);
+  static DeliveryTapSlot::Parcel parcelOf(std::string name, std::shared_ptr<const std::string> body,
+                                          double received_s);
 
   const std::string server_;  // its host and port: whom problems are about
   const Unsaid unsaid_;
   LinkLog link_log_;
-  const std::shared_ptr<Places> places_ = std::make_shared<Places>();
+  const std::shared_ptr<LinkOutputs> outputs_ = std::make_shared<LinkOutputs>();
 
  private:
   bool watching_ = false;
