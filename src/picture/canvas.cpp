@@ -154,9 +154,9 @@ TileState Canvas::stateOf(std::shared_ptr<std::uint8_t[]> cells) {
   return {shared, true};
 }
 
-std::shared_ptr<std::uint8_t[]> Canvas::copyOf(const TilePlace& place) const {
+std::shared_ptr<std::uint8_t[]> Canvas::copyOf(const TileKey& key) const {
   auto copy = std::make_shared_for_overwrite<std::uint8_t[]>(kTileCells);
-  if (const auto tile = grid_.tile(place.level, place.x, place.y)) {
+  if (const auto tile = grid_.tile(key.level, key.x, key.y)) {
     std::memcpy(copy.get(), tile->cells.get(), kTileCells);
   } else {
     std::memset(copy.get(), grids::unknownByte(grid_.code()), kTileCells);
@@ -170,18 +170,18 @@ std::vector<Canvas::Changed> Canvas::reduced(const std::vector<Changed>& finer, 
     std::shared_ptr<std::uint8_t[]> cells;
     CellRect dirty;
   };
-  std::map<TilePlace, Coarse> coarse;
+  std::map<TileKey, Coarse> coarse;
   for (const Changed& fine : finer) {
-    const int level = fine.place.level;
-    const TilePlace place{level + 1, fine.place.x / 2, fine.place.y / 2};
-    Coarse& under = coarse[place];
-    if (!under.cells) under.cells = copyOf(place);
-    const int width = std::min(kEdge, grid_.levelWidth(level) - fine.place.x * kEdge);
-    const int height = std::min(kEdge, grid_.levelHeight(level) - fine.place.y * kEdge);
+    const int level = fine.key.level;
+    const TileKey key{level + 1, fine.key.x / 2, fine.key.y / 2};
+    Coarse& under = coarse[key];
+    if (!under.cells) under.cells = copyOf(key);
+    const int width = std::min(kEdge, grid_.levelWidth(level) - fine.key.x * kEdge);
+    const int height = std::min(kEdge, grid_.levelHeight(level) - fine.key.y * kEdge);
     const CellRect part{fine.dirty.left & ~1, fine.dirty.top & ~1,
                         std::min((fine.dirty.right + 1) & ~1, width),
                         std::min((fine.dirty.bottom + 1) & ~1, height)};
-    const int shift_x = fine.place.x % 2 * (kEdge / 2), shift_y = fine.place.y % 2 * (kEdge / 2);
+    const int shift_x = fine.key.x % 2 * (kEdge / 2), shift_y = fine.key.y % 2 * (kEdge / 2);
     for (int v = part.top; v < part.bottom; v += 2) {
       const std::uint8_t* const upper = fine.cells + std::size_t(v) * kEdge + std::size_t(part.left);
       const std::uint8_t* const lower = v + 1 < height ? upper + kEdge : upper;
@@ -194,10 +194,10 @@ std::vector<Canvas::Changed> Canvas::reduced(const std::vector<Changed>& finer, 
   }
   std::vector<Changed> next;
   next.reserve(coarse.size());
-  for (auto& [place, made] : coarse) {
+  for (auto& [key, made] : coarse) {
     const TileState after = stateOf(std::move(made.cells));
-    patch.tiles[place] = {grid_.own(place), after};
-    next.push_back({place, after.cells.get(), made.dirty});
+    patch.tiles[key] = {grid_.own(key), after};
+    next.push_back({key, after.cells.get(), made.dirty});
   }
   return next;
 }
@@ -205,12 +205,12 @@ std::vector<Canvas::Changed> Canvas::reduced(const std::vector<Changed>& finer, 
 Patch Canvas::take() {
   Patch patch;
   std::vector<Changed> changed;
-  for (auto& [key, written] : sheets_) {
+  for (auto& [packed, written] : sheets_) {
     if (!written.wrote) continue;
-    const TilePlace place{0, int(key & 0xffffffff), int(key >> 32)};
+    const TileKey key{0, int(packed & 0xffffffff), int(packed >> 32)};
     const TileState after = stateOf(std::move(written.wrote));
-    patch.tiles[place] = {grid_.own(place), after};
-    changed.push_back({place, after.cells.get(), written.dirty});
+    patch.tiles[key] = {grid_.own(key), after};
+    changed.push_back({key, after.cells.get(), written.dirty});
   }
   for (int level = 1; level < grid_.levels() && !changed.empty(); ++level) changed = reduced(changed, patch);
   patch.cells = touched_;

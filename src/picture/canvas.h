@@ -75,12 +75,12 @@ class Canvas {
   void eachPiece(int row, int from, int to, Visit visit);
   TileState stateOf(std::shared_ptr<std::uint8_t[]> cells);
   struct Changed {
-    TilePlace place;
+    TileKey key;
     const std::uint8_t* cells;
     CellRect dirty;
   };
   std::vector<Changed> reduced(const std::vector<Changed>& finer, Patch& patch);
-  std::shared_ptr<std::uint8_t[]> copyOf(const TilePlace& place) const;
+  std::shared_ptr<std::uint8_t[]> copyOf(const TileKey& key) const;
 
   const EditedGrid& grid_;
   grids::GridReducer reducer_;

@@ -8,7 +8,7 @@ namespace {
 /// Calls visit(cells) for each tile that a patch holds.
 template <typename Visit>
 void eachHeld(const Patch& patch, Visit visit) {
-  for (const auto& [place, change] : patch.tiles) {
+  for (const auto& [key, change] : patch.tiles) {
     for (const TileState* state : {&change.before, &change.after}) {
       if (state->cells) visit(state->cells.get());
     }
@@ -18,8 +18,8 @@ void eachHeld(const Patch& patch, Visit visit) {
 }  // namespace
 
 void Patch::append(const Patch& later) {
-  for (const auto& [place, change] : later.tiles) {
-    const auto [found, added] = tiles.try_emplace(place, change);
+  for (const auto& [key, change] : later.tiles) {
+    const auto [found, added] = tiles.try_emplace(key, change);
     if (!added) found->second.after = change.after;
   }
   cells = cells.united(later.cells);
@@ -44,10 +44,10 @@ void PatchMemory::remove(const Patch& patch) {
 
 std::size_t PatchMemory::bytes() const { return held_.size() * kTileCells; }
 
-std::size_t EditedGrid::PlaceHash::operator()(const TilePlace& place) const noexcept {
-  const std::uint64_t key =
-      std::uint64_t(place.level) << 48 ^ std::uint64_t(unsigned(place.y)) << 24 ^ unsigned(place.x);
-  return std::size_t(key * 0x9e3779b97f4a7c15u >> 16);
+std::size_t EditedGrid::TileKeyHash::operator()(const TileKey& key) const noexcept {
+  const std::uint64_t mixed =
+      std::uint64_t(key.level) << 48 ^ std::uint64_t(unsigned(key.y)) << 24 ^ unsigned(key.x);
+  return std::size_t(mixed * 0x9e3779b97f4a7c15u >> 16);
 }
 
 EditedGrid::EditedGrid(std::shared_ptr<const grids::GridPyramid> base) : base_(std::move(base)) {}
@@ -71,29 +71,29 @@ std::shared_ptr<EditedGrid> EditedGrid::snapshot() const {
   return std::shared_ptr<EditedGrid>(new EditedGrid(base_, tiles_));
 }
 
-TileState EditedGrid::own(const TilePlace& place) const {
+TileState EditedGrid::own(const TileKey& key) const {
   const std::lock_guard lock(mutex_);
-  const auto found = tiles_.find(place);
+  const auto found = tiles_.find(key);
   return found == tiles_.end() ? TileState{} : found->second;
 }
 
-std::vector<TilePlace> EditedGrid::changedTiles() const {
+std::vector<TileKey> EditedGrid::changedTiles() const {
   const std::lock_guard lock(mutex_);
-  std::vector<TilePlace> places;
-  for (const auto& [place, state] : tiles_) {
-    if (place.level == 0) places.push_back(place);
+  std::vector<TileKey> keys;
+  for (const auto& [key, state] : tiles_) {
+    if (key.level == 0) keys.push_back(key);
   }
-  return places;
+  return keys;
 }
 
 void EditedGrid::exchange(const Patch& patch, TileState TileChange::*side) {
   const std::lock_guard lock(mutex_);
-  for (const auto& [place, change] : patch.tiles) {
+  for (const auto& [key, change] : patch.tiles) {
     const TileState& state = change.*side;
     if (state.cells) {
-      tiles_[place] = state;
+      tiles_[key] = state;
     } else {
-      tiles_.erase(place);
+      tiles_.erase(key);
     }
   }
   ++revision_;

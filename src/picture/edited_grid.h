@@ -50,9 +50,9 @@ struct CellRect {
 };
 
 /// Of a pyramid: level 0 is exact.
-struct TilePlace {
+struct TileKey {
   int level = 0, x = 0, y = 0;
-  auto operator<=>(const TilePlace&) const = default;
+  auto operator<=>(const TileKey&) const = default;
 };
 
 /// kTileCells bytes as in grids::GridTile, shared and immutable; null: as in the original picture.
@@ -68,7 +68,7 @@ struct TileChange {
 
 /// Tiles of all levels, so that undo and redo only swap pointers.
 struct Patch {
-  std::map<TilePlace, TileChange> tiles;
+  std::map<TileKey, TileChange> tiles;
   bool finest_only = false;  // coarser levels have to be rebuilt first (withCoarserLevels)
   CellRect cells;            // of level 0: nothing outside changes
 
@@ -114,9 +114,9 @@ class EditedGrid final : public grids::GridPyramid {
   std::shared_ptr<EditedGrid> snapshot() const;
 
   /// The changed tile, or one without cells if it is as in the base.
-  TileState own(const TilePlace& place) const;
+  TileState own(const TileKey& key) const;
   /// The positions on level 0 of which own() has tiles.
-  std::vector<TilePlace> changedTiles() const;
+  std::vector<TileKey> changedTiles() const;
   /// The patch was made for the present grid (Canvas), or is the next one to undo or redo.
   void apply(const Patch& patch);
   void revert(const Patch& patch);
@@ -124,10 +124,10 @@ class EditedGrid final : public grids::GridPyramid {
   std::uint64_t revision() const { return revision_; }
 
  private:
-  struct PlaceHash {
-    std::size_t operator()(const TilePlace& place) const noexcept;
+  struct TileKeyHash {
+    std::size_t operator()(const TileKey& key) const noexcept;
   };
-  using Tiles = std::unordered_map<TilePlace, TileState, PlaceHash>;
+  using Tiles = std::unordered_map<TileKey, TileState, TileKeyHash>;
   EditedGrid(std::shared_ptr<const grids::GridPyramid> base, Tiles tiles);
   void exchange(const Patch& patch, TileState TileChange::*side);
 

@@ -17,9 +17,9 @@ std::int64_t differing(const std::uint8_t* one, const std::uint8_t* other) {
   return count;
 }
 
-std::int64_t differing(const EditedGrid& one, const EditedGrid& other, const TilePlace& place) {
-  if (one.own(place) == other.own(place)) return 0;
-  const auto mine = one.tile(0, place.x, place.y), theirs = other.tile(0, place.x, place.y);
+std::int64_t differing(const EditedGrid& one, const EditedGrid& other, const TileKey& key) {
+  if (one.own(key) == other.own(key)) return 0;
+  const auto mine = one.tile(0, key.x, key.y), theirs = other.tile(0, key.x, key.y);
   return mine && theirs ? differing(mine->cells.get(), theirs->cells.get()) : 0;
 }
 
@@ -38,9 +38,9 @@ CellRect differingRect(const std::uint8_t* one, const std::uint8_t* other) {
 }
 
 /// Makes a tile of the canvas, whose cells are `now`, equal to `wanted`.
-void overwrite(Canvas& canvas, const TilePlace& place, const std::uint8_t* now, const std::uint8_t* wanted) {
+void overwrite(Canvas& canvas, const TileKey& key, const std::uint8_t* now, const std::uint8_t* wanted) {
   if (std::memcmp(now, wanted, kTileCells) == 0) return;
-  std::memcpy(canvas.write(place.x, place.y, differingRect(now, wanted)), wanted, kTileCells);
+  std::memcpy(canvas.write(key.x, key.y, differingRect(now, wanted)), wanted, kTileCells);
 }
 
 /// The cell with that index in its tile.
@@ -53,10 +53,10 @@ CellRect cellAt(std::size_t at) {
 
 DifferenceCount::Tiles DifferenceCount::of(const Patch& touched) const {
   Tiles counts;
-  for (const auto& [place, change] : touched.tiles) {
-    if (place.level != 0) continue;
-    const auto found = tiles.find(place);
-    counts.emplace_back(place, found == tiles.end() ? 0 : found->second);
+  for (const auto& [key, change] : touched.tiles) {
+    if (key.level != 0) continue;
+    const auto found = tiles.find(key);
+    counts.emplace_back(key, found == tiles.end() ? 0 : found->second);
   }
   return counts;
 }
@@ -64,24 +64,24 @@ DifferenceCount::Tiles DifferenceCount::of(const Patch& touched) const {
 DifferenceCount::Tiles DifferenceCount::counted(const EditedGrid& one, const EditedGrid& other,
                                                 const Patch& touched) {
   Tiles counts;
-  for (const auto& [place, change] : touched.tiles) {
-    if (place.level == 0) counts.emplace_back(place, differing(one, other, place));
+  for (const auto& [key, change] : touched.tiles) {
+    if (key.level == 0) counts.emplace_back(key, differing(one, other, key));
   }
   return counts;
 }
 
-void DifferenceCount::set(const TilePlace& place, std::int64_t count) {
-  if (const auto found = tiles.find(place); found != tiles.end()) {
+void DifferenceCount::set(const TileKey& key, std::int64_t count) {
+  if (const auto found = tiles.find(key); found != tiles.end()) {
     cells -= found->second;
     tiles.erase(found);
   }
   if (count == 0) return;
   cells += count;
-  tiles[place] = count;
+  tiles[key] = count;
 }
 
 void DifferenceCount::set(const Tiles& counts) {
-  for (const auto& [place, count] : counts) set(place, count);
+  for (const auto& [key, count] : counts) set(key, count);
 }
 
 void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, const Patch& touched) {
@@ -91,7 +91,7 @@ void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, co
 DifferenceCount DifferenceCount::between(const EditedGrid& one, const EditedGrid& other) {
   DifferenceCount count;
   for (const EditedGrid* grid : {&one, &other}) {
-    for (const TilePlace& place : grid->changedTiles()) count.set(place, differing(one, other, place));
+    for (const TileKey& key : grid->changedTiles()) count.set(key, differing(one, other, key));
   }
   return count;
 }
@@ -118,11 +118,10 @@ Patch differenceTo(const EditedGrid& grid, const grids::GridPyramid& other,
 Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_runs) {
   const auto kinds = kindsOf(grid.code());
   Changes changes;
-  for (const auto& [place, change] : patch.tiles) {
-    if (place.level != 0) continue;
-    const auto before = grid.tile(0, place.x, place.y);
-    const auto cells =
-        change.after.cells ? change.after.cells : grid.base()->tile(0, place.x, place.y)->cells;
+  for (const auto& [key, change] : patch.tiles) {
+    if (key.level != 0) continue;
+    const auto before = grid.tile(0, key.x, key.y);
+    const auto cells = change.after.cells ? change.after.cells : grid.base()->tile(0, key.x, key.y)->cells;
     const std::uint8_t *was = before->cells.get(), *is = cells.get();
     for (int v = 0; v < kEdge; ++v, was += kEdge, is += kEdge) {
       if (std::memcmp(was, is, kEdge) == 0) continue;
@@ -134,7 +133,7 @@ Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_r
         changes.become[std::size_t(becomes)] += u + 1 - from;
         if (changes.runs.size() < most_runs)
           changes.runs.push_back(
-              {CellRect{from, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge), becomes});
+              {CellRect{from, v, u + 1, v + 1}.moved(key.x * kEdge, key.y * kEdge), becomes});
       }
     }
   }
@@ -142,19 +141,19 @@ Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_r
 }
 
 void CellSet::unite(const CellSet& other) {
-  for (const auto& [place, cells] : other.tiles) tiles[place] |= cells;
+  for (const auto& [key, cells] : other.tiles) tiles[key] |= cells;
 }
 
 std::pair<std::int64_t, CellRect> CellSet::differing(const EditedGrid& one, const EditedGrid& other) const {
   std::int64_t count = 0;
   CellRect where;
-  for (const auto& [place, cells] : tiles) {
-    const auto a = one.tile(0, place.x, place.y), b = other.tile(0, place.x, place.y);
+  for (const auto& [key, cells] : tiles) {
+    const auto a = one.tile(0, key.x, key.y), b = other.tile(0, key.x, key.y);
     if (!a || !b || a->cells == b->cells) continue;
     for (std::size_t at = 0; at < kTileCells; ++at) {
       if (!cells[at] || a->cells.get()[at] == b->cells.get()[at]) continue;
       ++count;
-      where = where.united(cellAt(at).moved(place.x * kEdge, place.y * kEdge));
+      where = where.united(cellAt(at).moved(key.x * kEdge, key.y * kEdge));
     }
   }
   return {count, where};
@@ -162,13 +161,13 @@ std::pair<std::int64_t, CellRect> CellSet::differing(const EditedGrid& one, cons
 
 Patch copied(const EditedGrid& grid, const EditedGrid& source, const CellSet& cells) {
   Canvas canvas(grid);
-  for (const auto& [place, of_tile] : cells.tiles) {
-    const auto from = source.tile(0, place.x, place.y);
+  for (const auto& [key, of_tile] : cells.tiles) {
+    const auto from = source.tile(0, key.x, key.y);
     if (!from) continue;
     for (std::size_t at = 0; at < kTileCells; ++at) {
       const std::uint8_t wanted = from->cells.get()[at];
-      if (!of_tile[at] || canvas.read(place.x, place.y)[at] == wanted) continue;
-      canvas.write(place.x, place.y, cellAt(at))[at] = wanted;
+      if (!of_tile[at] || canvas.read(key.x, key.y)[at] == wanted) continue;
+      canvas.write(key.x, key.y, cellAt(at))[at] = wanted;
     }
   }
   return canvas.take();
@@ -177,21 +176,21 @@ Patch copied(const EditedGrid& grid, const EditedGrid& source, const CellSet& ce
 Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& base) {
   Merge merge;
   Canvas canvas(mine);
-  for (const auto& [place, change] : theirs.tiles) {
-    if (place.level != 0 || !change.after.cells) continue;
-    const auto before = base.tile(0, place.x, place.y);
+  for (const auto& [key, change] : theirs.tiles) {
+    if (key.level != 0 || !change.after.cells) continue;
+    const auto before = base.tile(0, key.x, key.y);
     if (!before) continue;
     const std::uint8_t *was = before->cells.get(), *their = change.after.cells.get();
-    const std::uint8_t* my = canvas.read(place.x, place.y);
+    const std::uint8_t* my = canvas.read(key.x, key.y);
     std::uint8_t* out = nullptr;
     for (std::size_t at = 0; at < kTileCells; ++at) {
       if (their[at] == was[at] || their[at] == my[at]) continue;
       if (my[at] != was[at]) {
-        merge.conflicts.tiles[place].set(at);
+        merge.conflicts.tiles[key].set(at);
         continue;
       }
       ++merge.taken;
-      out = canvas.write(place.x, place.y, cellAt(at));
+      out = canvas.write(key.x, key.y, cellAt(at));
       my = out;
       out[at] = their[at];
     }
@@ -201,26 +200,26 @@ Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& 
 }
 
 Rebase::Rebase(const Patch& theirs, std::shared_ptr<const EditedGrid> base) : base_(std::move(base)) {
-  for (const auto& [place, change] : theirs.tiles) {
-    if (place.level == 0 && change.after.cells) theirs_[place] = change.after;
+  for (const auto& [key, change] : theirs.tiles) {
+    if (key.level == 0 && change.after.cells) theirs_[key] = change.after;
   }
 }
 
 void Rebase::know(const Merge& merge) {
-  for (const auto& [place, change] : merge.patch.tiles) {
-    if (place.level == 0) made_[{place, change.before.cells.get()}] = {change.before, change.after};
+  for (const auto& [key, change] : merge.patch.tiles) {
+    if (key.level == 0) made_[{key, change.before.cells.get()}] = {change.before, change.after};
   }
 }
 
-TileState Rebase::rebased(const TilePlace& place, const TileState& state) {
-  const auto their = theirs_.find(place);
+TileState Rebase::rebased(const TileKey& key, const TileState& state) {
+  const auto their = theirs_.find(key);
   if (their == theirs_.end()) return state;
-  Made& made = made_[{place, state.cells.get()}];
+  Made& made = made_[{key, state.cells.get()}];
   if (made.to.cells) return made.to;
   made = {state, state};
-  const auto was = base_->tile(0, place.x, place.y);
+  const auto was = base_->tile(0, key.x, key.y);
   const auto my = state.cells ? std::optional(grids::GridTile{state.cells, state.uniform, false})
-                              : base_->base()->tile(0, place.x, place.y);
+                              : base_->base()->tile(0, key.x, key.y);
   if (!was || !my) return state;
   if (my->cells == was->cells || std::memcmp(my->cells.get(), was->cells.get(), kTileCells) == 0)
     return made.to = their->second;
@@ -243,15 +242,15 @@ TileState Rebase::rebased(const TilePlace& place, const TileState& state) {
 }
 
 void Rebase::apply(Patch& patch) {
-  std::map<TilePlace, TileChange> finest;
+  std::map<TileKey, TileChange> finest;
   bool touched = false;
-  for (const auto& [place, change] : patch.tiles) {
-    if (place.level != 0) break;  // they are sorted
-    finest[place] = {rebased(place, change.before), rebased(place, change.after)};
+  for (const auto& [key, change] : patch.tiles) {
+    if (key.level != 0) break;  // they are sorted
+    finest[key] = {rebased(key, change.before), rebased(key, change.after)};
   }
   // A coarser tile also depends on its surroundings.
-  for (const auto& [place, their] : theirs_) {
-    for (TilePlace under = place; !touched && under.level < base_->levels();
+  for (const auto& [key, their] : theirs_) {
+    for (TileKey under = key; !touched && under.level < base_->levels();
          under = {under.level + 1, under.x / 2, under.y / 2})
       touched = patch.tiles.contains(under);
   }
@@ -262,17 +261,17 @@ void Rebase::apply(Patch& patch) {
 
 Patch withCoarserLevels(const EditedGrid& grid, const Patch& patch, bool done) {
   Canvas canvas(grid);
-  for (const auto& [place, change] : patch.tiles) {
-    if (place.level != 0) continue;
+  for (const auto& [key, change] : patch.tiles) {
+    if (key.level != 0) continue;
     const TileState& wanted = done ? change.before : change.after;
-    const auto cells = wanted.cells ? wanted.cells : grid.base()->tile(0, place.x, place.y)->cells;
-    const auto now = grid.tile(0, place.x, place.y);
-    overwrite(canvas, place, now->cells.get(), cells.get());
+    const auto cells = wanted.cells ? wanted.cells : grid.base()->tile(0, key.x, key.y)->cells;
+    const auto now = grid.tile(0, key.x, key.y);
+    overwrite(canvas, key, now->cells.get(), cells.get());
   }
   Patch made = canvas.take();
-  for (auto& [place, change] : made.tiles) {
+  for (auto& [key, change] : made.tiles) {
     // Reuses the existing tile, so that steps share memory.
-    if (place.level == 0) change.after = done ? patch.tiles.at(place).before : patch.tiles.at(place).after;
+    if (key.level == 0) change.after = done ? patch.tiles.at(key).before : patch.tiles.at(key).after;
     if (done) std::swap(change.before, change.after);
   }
   return made;

@@ -17,8 +17,8 @@ namespace mapwright::picture {
 /// How many cells of two grids with the same base differ, by tile of level 0; equal tiles are left out.
 struct DifferenceCount {
   /// For some tiles, including equal ones.
-  using Tiles = std::vector<std::pair<TilePlace, std::int64_t>>;
-  std::map<TilePlace, std::int64_t> tiles;
+  using Tiles = std::vector<std::pair<TileKey, std::int64_t>>;
+  std::map<TileKey, std::int64_t> tiles;
   std::int64_t cells = 0;
   /// The stored counts for the tiles of a patch, and fresh ones.
   Tiles of(const Patch& touched) const;
@@ -29,7 +29,7 @@ struct DifferenceCount {
   static DifferenceCount between(const EditedGrid& one, const EditedGrid& other);
 
  private:
-  void set(const TilePlace& place, std::int64_t count);
+  void set(const TileKey& key, std::int64_t count);
 };
 
 /// The patch that turns `grid` into `other`. Both have the same size and code (sameShape). Empty if
@@ -54,7 +54,7 @@ Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_r
 /// A set of cells of a grid, by tile of level 0; row-major.
 struct CellSet {
   using OfTile = std::bitset<kTileCells>;
-  std::map<TilePlace, OfTile> tiles;
+  std::map<TileKey, OfTile> tiles;
   void unite(const CellSet& other);
   /// How many of them differ between the two, and their bounds.
   std::pair<std::int64_t, CellRect> differing(const EditedGrid& one, const EditedGrid& other) const;
@@ -84,13 +84,13 @@ class Rebase {
   void apply(Patch& patch);
 
  private:
-  TileState rebased(const TilePlace& place, const TileState& state);
-  std::map<TilePlace, TileState> theirs_;
+  TileState rebased(const TileKey& key, const TileState& state);
+  std::map<TileKey, TileState> theirs_;
   std::shared_ptr<const EditedGrid> base_;
   struct Made {
     TileState from, to;
   };
-  std::map<std::pair<TilePlace, const std::uint8_t*>, Made> made_;
+  std::map<std::pair<TileKey, const std::uint8_t*>, Made> made_;
 };
 
 /// Restores the coarser levels of a patch. `done`: the patch is applied to the grid; otherwise it will be.

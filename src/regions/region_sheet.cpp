@@ -45,10 +45,10 @@ RegionSheet::RegionSheet(const map::GridReference& piece)
   while (levelWidth(levels_ - 1) > kTile) ++levels_;
 }
 
-std::size_t RegionSheet::PlaceHash::operator()(const Place& place) const noexcept {
-  const std::uint64_t key =
-      std::uint64_t(place.level) << 48 ^ std::uint64_t(unsigned(place.y)) << 24 ^ unsigned(place.x);
-  return std::size_t(key * 0x9e3779b97f4a7c15u >> 16);
+std::size_t RegionSheet::TileKeyHash::operator()(const TileKey& key) const noexcept {
+  const std::uint64_t mixed =
+      std::uint64_t(key.level) << 48 ^ std::uint64_t(unsigned(key.y)) << 24 ^ unsigned(key.x);
+  return std::size_t(mixed * 0x9e3779b97f4a7c15u >> 16);
 }
 
 std::optional<grids::GridTile> RegionSheet::tile(int level, int tile_x, int tile_y) const {
@@ -58,18 +58,18 @@ std::optional<grids::GridTile> RegionSheet::tile(int level, int tile_x, int tile
 }
 
 /// null: there is nothing.
-RegionSheet::Cells RegionSheet::made(const Place& place) const {
+RegionSheet::Cells RegionSheet::made(const TileKey& key) const {
   std::uint64_t changes = 0;
   {
     const std::lock_guard lock(mutex_);
-    const auto found = tiles_.find(place);
+    const auto found = tiles_.find(key);
     if (found == tiles_.end()) return nullptr;
     if (found->second) return found->second;
     changes = changes_;
   }
-  Cells cells = reduced(place);
+  Cells cells = reduced(key);
   const std::lock_guard lock(mutex_);
-  const auto found = tiles_.find(place);
+  const auto found = tiles_.find(key);
   if (changes == changes_ && found != tiles_.end()) found->second = cells;
   return cells;
 }
@@ -83,10 +83,10 @@ bool RegionSheet::empty() const { return tiles_.empty(); }
 
 geometry::WorldRect RegionSheet::bounds() const {
   geometry::WorldRect rect;
-  for (const auto& [place, cells] : tiles_) {
-    if (place.level != 0) continue;
-    for (const int x : {place.x, place.x + 1}) {
-      for (const int y : {place.y, place.y + 1})
+  for (const auto& [key, cells] : tiles_) {
+    if (key.level != 0) continue;
+    for (const int x : {key.x, key.x + 1}) {
+      for (const int y : {key.y, key.y + 1})
         rect.extend(reference_.worldFromCell({double(x) * kTile, double(y) * kTile}));
     }
   }
@@ -110,8 +110,8 @@ bool RegionSheet::holds(const map::GridReference& piece) const {
          std::round(corner.y()) + piece.height <= reference_.height;
 }
 
-std::shared_ptr<std::uint8_t> RegionSheet::copyOf(const Place& place) const {
-  const auto found = tiles_.find(place);
+std::shared_ptr<std::uint8_t> RegionSheet::copyOf(const TileKey& key) const {
+  const auto found = tiles_.find(key);
   if (found == tiles_.end()) return notFetched();
   std::shared_ptr<std::uint8_t> cells(new std::uint8_t[kSheetTileBytes],
                                       std::default_delete<std::uint8_t[]>());
@@ -124,11 +124,11 @@ void RegionSheet::put(const map::GridReference& piece, const std::vector<std::in
   const int left = int(std::lround(corner.x()));
   const int bottom = reference_.height - 1 - int(std::lround(corner.y()));  // from the top, of its row 0
   const int top = bottom - piece.height + 1, right = left + piece.width - 1;
-  std::vector<std::pair<Place, Cells>> changed;
+  std::vector<std::pair<TileKey, Cells>> changed;
   for (int y = top / kTile; y <= bottom / kTile; ++y) {
     for (int x = left / kTile; x <= right / kTile; ++x) {
-      const Place place{0, x, y};
-      const auto tile = copyOf(place);
+      const TileKey key{0, x, y};
+      const auto tile = copyOf(key);
       const int from = std::max(left, x * kTile), to = std::min(right, x * kTile + kTile - 1);
       for (int row = std::max(top, y * kTile); row <= std::min(bottom, y * kTile + kTile - 1); ++row) {
         const std::int8_t* const source =
@@ -139,7 +139,7 @@ void RegionSheet::put(const map::GridReference& piece, const std::vector<std::in
           target[at] = byte == kNotFetched ? grids::kUnknownOccupancy : byte;
         }
       }
-      changed.emplace_back(place, tile);
+      changed.emplace_back(key, tile);
     }
   }
   replaceTiles(std::move(changed));
@@ -159,10 +159,10 @@ std::optional<RegionSheet::CellBox> RegionSheet::boxAround(const geometry::World
 
 template <typename Inside>
 bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
-  std::vector<std::pair<Place, Cells>> changed;
-  for (const auto& [place, old] : tiles_) {
-    const int left = place.x * kTile, top = place.y * kTile;
-    if (place.level != 0 || left > box.right || top > box.bottom || left + kTile <= box.left ||
+  std::vector<std::pair<TileKey, Cells>> changed;
+  for (const auto& [key, old] : tiles_) {
+    const int left = key.x * kTile, top = key.y * kTile;
+    if (key.level != 0 || left > box.right || top > box.bottom || left + kTile <= box.left ||
         top + kTile <= box.top)
       continue;
     std::shared_ptr<std::uint8_t> tile;
@@ -170,14 +170,14 @@ bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
       for (int u = std::max(left, box.left); u <= std::min(left + kTile - 1, box.right); ++u) {
         const std::size_t at = std::size_t(v - top) * kTile + std::size_t(u - left);
         if (old.get()[at] == kNotFetched || !inside(reference_.worldFromCell({u + 0.5, v + 0.5}))) continue;
-        if (!tile) tile = copyOf(place);
+        if (!tile) tile = copyOf(key);
         tile.get()[at] = kNotFetched;
       }
     }
     if (!tile) continue;
     const bool nothing = std::all_of(tile.get(), tile.get() + kSheetTileBytes,
                                      [](std::uint8_t cell) { return cell == kNotFetched; });
-    changed.emplace_back(place, nothing ? nullptr : Cells(tile));
+    changed.emplace_back(key, nothing ? nullptr : Cells(tile));
   }
   if (changed.empty()) return false;
   replaceTiles(std::move(changed));
@@ -187,9 +187,9 @@ bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
 bool RegionSheet::holdsAnyOf(const geometry::WorldRect& rect) const {
   const auto box = boxAround(rect);
   if (!box) return false;
-  for (const auto& [place, cells] : tiles_) {
-    if (place.level != 0) continue;
-    const int left = place.x * kTile, top = place.y * kTile;
+  for (const auto& [key, cells] : tiles_) {
+    if (key.level != 0) continue;
+    const int left = key.x * kTile, top = key.y * kTile;
     for (int v = std::max(top, box->top); v <= std::min(top + kTile - 1, box->bottom); ++v) {
       for (int u = std::max(left, box->left); u <= std::min(left + kTile - 1, box->right); ++u) {
         const std::size_t at = std::size_t(v - top) * kTile + std::size_t(u - left);
@@ -217,11 +217,11 @@ bool RegionSheet::forgetUnder(const map::GridReference& piece) {
   });
 }
 
-RegionSheet::Cells RegionSheet::reduced(const Place& place) const {
+RegionSheet::Cells RegionSheet::reduced(const TileKey& key) const {
   const std::shared_ptr<std::uint8_t> cells = notFetched();
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 2; ++x) {
-      const Cells from = made({place.level - 1, place.x * 2 + x, place.y * 2 + y});
+      const Cells from = made({key.level - 1, key.x * 2 + x, key.y * 2 + y});
       if (!from) continue;
       for (int row = 0; row < kTile / 2; ++row) {
         reducer_.reduceRow(from.get() + std::size_t(row) * 2 * kTile,
@@ -233,22 +233,22 @@ RegionSheet::Cells RegionSheet::reduced(const Place& place) const {
   return cells;
 }
 
-void RegionSheet::replaceTiles(std::vector<std::pair<Place, Cells>> changed) {
+void RegionSheet::replaceTiles(std::vector<std::pair<TileKey, Cells>> changed) {
   const std::lock_guard lock(mutex_);
   ++changes_;
-  std::vector<Place> finer;
-  for (auto& [place, cells] : changed) {
-    finer.push_back(place);
+  std::vector<TileKey> finer;
+  for (auto& [key, cells] : changed) {
+    finer.push_back(key);
     if (cells) {
-      tiles_[place] = std::move(cells);
+      tiles_[key] = std::move(cells);
     } else {
-      tiles_.erase(place);
+      tiles_.erase(key);
     }
   }
   for (int level = 1; level < levels_; ++level) {
-    std::vector<Place> coarser;
-    for (const Place& place : finer) {
-      const Place above{level, place.x / 2, place.y / 2};
+    std::vector<TileKey> coarser;
+    for (const TileKey& key : finer) {
+      const TileKey above{level, key.x / 2, key.y / 2};
       if (std::find(coarser.begin(), coarser.end(), above) != coarser.end()) continue;
       coarser.push_back(above);
       bool any = false;

@@ -60,31 +60,31 @@ class RegionSheet final : public grids::GridPyramid {
   geometry::WorldRect bounds() const;
 
  private:
-  struct Place {
+  struct TileKey {
     int level, x, y;
-    bool operator==(const Place&) const = default;
+    bool operator==(const TileKey&) const = default;
   };
-  struct PlaceHash {
-    std::size_t operator()(const Place& place) const noexcept;
+  struct TileKeyHash {
+    std::size_t operator()(const TileKey& key) const noexcept;
   };
   struct CellBox {
     int left, top, right, bottom;  // inclusive
     bool operator==(const CellBox&) const = default;
   };
   using Cells = std::shared_ptr<const std::uint8_t>;
-  using Tiles = std::unordered_map<Place, Cells, PlaceHash>;
+  using Tiles = std::unordered_map<TileKey, Cells, TileKeyHash>;
   /// The position of the lower left cell of `piece`: column, row from below.
   Eigen::Vector2d cornerOf(const map::GridReference& piece) const;
   std::optional<CellBox> boxAround(const geometry::WorldRect& rect) const;
   /// Drops the cells of `box` for which `inside`, given the world position of the centre, is true.
   template <typename Inside>
   bool forgetWhere(const CellBox& box, Inside inside);
-  std::shared_ptr<std::uint8_t> copyOf(const Place& place) const;
+  std::shared_ptr<std::uint8_t> copyOf(const TileKey& key) const;
   /// Takes over tiles of level 0 (null: nothing left); those of coarser levels are created on demand by the
   /// reader.
-  void replaceTiles(std::vector<std::pair<Place, Cells>> changed);
-  Cells made(const Place& place) const;
-  Cells reduced(const Place& place) const;
+  void replaceTiles(std::vector<std::pair<TileKey, Cells>> changed);
+  Cells made(const TileKey& key) const;
+  Cells reduced(const TileKey& key) const;
 
   grids::GridReducer reducer_;
   map::GridReference reference_;

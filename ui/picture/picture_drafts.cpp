@@ -60,10 +60,10 @@ std::optional<TakenDraft> restoreDraft(const PictureDraft& draft, const picture:
 QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
                              const picture::EditedGrid& now, const picture::EditedGrid& saved) {
   QJsonArray rows{QJsonObject{{kWidth, now.width()}, {kHeight, now.height()}, {kCode, int(now.code())}}};
-  for (const auto& [place, count] : picture::DifferenceCount::between(now, saved).tiles) {
-    const auto is = now.tile(0, place.x, place.y), was = saved.tile(0, place.x, place.y);
+  for (const auto& [key, count] : picture::DifferenceCount::between(now, saved).tiles) {
+    const auto is = now.tile(0, key.x, key.y), was = saved.tile(0, key.x, key.y);
     if (!is || !was) continue;
-    rows << QJsonObject{{kX, place.x}, {kY, place.y}, {kWas, packed(*was)}, {kIs, packed(*is)}};
+    rows << QJsonObject{{kX, key.x}, {kY, key.y}, {kWas, packed(*was)}, {kIs, packed(*is)}};
   }
   return edit::toBytes(edit::DraftFrame{of, made, rows});
 }
@@ -79,14 +79,14 @@ std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes) {
   const int code = head.value(kCode).toInt(-1);
   if (draft.width < 1 || draft.height < 1 || code < 0 || code >= grids::kCellCodes) return std::nullopt;
   draft.code = grids::CellCode(code);
-  std::set<std::pair<int, int>> places;
+  std::set<std::pair<int, int>> seen;
   for (qsizetype i = 1; i < frame->changes.size(); ++i) {
     const QJsonObject row = frame->changes.at(i).toObject();
     PictureDraft::Tile tile{row.value(kX).toInt(-1), row.value(kY).toInt(-1), {}, {}};
     const bool inside = tile.x >= 0 && tile.y >= 0 && tile.x <= (draft.width - 1) / kEdge &&
                         tile.y <= (draft.height - 1) / kEdge;
     auto was = unpacked(row.value(kWas).toString()), is = unpacked(row.value(kIs).toString());
-    if (!inside || !was || !is || !places.emplace(tile.x, tile.y).second) return std::nullopt;
+    if (!inside || !was || !is || !seen.emplace(tile.x, tile.y).second) return std::nullopt;
     tile.was = std::move(*was);
     tile.is = std::move(*is);
     draft.tiles.push_back(std::move(tile));

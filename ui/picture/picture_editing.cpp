@@ -524,13 +524,13 @@ void PictureEditing::markSaved(const std::shared_ptr<const EditedGrid>& saved) {
 void PictureEditing::revert() {
   if (!grid_ || waits([this] { revert(); })) return;
   endStroke();
-  std::vector<picture::TilePlace> places;
-  for (const auto& [place, count] : count_.tiles) places.push_back(place);
-  change(tr("discard changes"), std::int64_t(places.size()) * kEdge * kEdge,
-         [places, saved = saved_](Canvas& canvas, const auto&) {
-           for (const picture::TilePlace& place : places) {
+  std::vector<picture::TileKey> keys;
+  for (const auto& [key, count] : count_.tiles) keys.push_back(key);
+  change(tr("discard changes"), std::int64_t(keys.size()) * kEdge * kEdge,
+         [keys, saved = saved_](Canvas& canvas, const auto&) {
+           for (const picture::TileKey& key : keys) {
              for (int row = 0; row < kEdge; ++row)
-               canvas.paintRow(place.y * kEdge + row, place.x * kEdge, (place.x + 1) * kEdge, {0, saved});
+               canvas.paintRow(key.y * kEdge + row, key.x * kEdge, (key.x + 1) * kEdge, {0, saved});
            }
            return true;
          });
