@@ -107,23 +107,23 @@ bool GridRenderer::settled(const ViewTile& tile) const {
 void GridRenderer::startMissing() {
   bool all_seen = true;
   if (previews()) {
-    for (const TilePlace& place : tiles().visible()) {
-      ViewTile& tile = tiles().at(place);
+    for (const TileKey& key : tiles().visible()) {
+      ViewTile& tile = tiles().at(key);
       if (tile.current() || tile.preview_work != 0) continue;
       all_seen = false;
       if (!workers().hasRoom()) {
         cancelExact();  // what somebody waits for goes before what only gets better
         break;
       }
-      tile.preview_work = start(place, tile, Sampling::Quick);
+      tile.preview_work = start(key, tile, Sampling::Quick);
     }
   }
   if (!all_seen || !finishable()) return;
-  for (const TilePlace& place : tiles().visible()) {
+  for (const TileKey& key : tiles().visible()) {
     if (!workers().hasRoom()) break;
-    ViewTile& tile = tiles().at(place);
+    ViewTile& tile = tiles().at(key);
     if (!tile.settled() && tile.exact_work == 0 && tile.preview_work == 0) {
-      tile.exact_work = start(place, tile, Sampling::Exact);
+      tile.exact_work = start(key, tile, Sampling::Exact);
     }
   }
 }
@@ -134,12 +134,12 @@ bool GridRenderer::finishable() const {
          (placed_->cells->complete() && (!compared_ || !compared_->cells || compared_->cells->complete()));
 }
 
-TileWorkers::Ticket GridRenderer::start(const TilePlace& place, const ViewTile& tile, Sampling sampling) {
-  const PixelGrid grid = tiles().gridOf(place);
+TileWorkers::Ticket GridRenderer::start(const TileKey& key, const ViewTile& tile, Sampling sampling) {
+  const PixelGrid grid = tiles().gridOf(key);
   const bool exact = sampling == Sampling::Exact || (finishable() && quickIsExact(grid, *placed_) &&
                                                      (!compared_ || quickIsExact(grid, *compared_)));
   return RasterTiles::start(
-      place, tile,
+      key, tile,
       [grid, sampling, first = *placed_, second = compared_,
        palette = palette_](const std::atomic<bool>& cancelled) -> TileResult {
         Composition pixels = second ? compareGrids(grid, first, *second, &cancelled, sampling)

@@ -41,7 +41,7 @@ class GridRenderer : public RasterTiles {
  private:
   void touch(const geometry::WorldRect& where);
   bool finishable() const;
-  TileWorkers::Ticket start(const TilePlace& place, const ViewTile& tile, Sampling sampling);
+  TileWorkers::Ticket start(const TileKey& key, const ViewTile& tile, Sampling sampling);
 
   std::optional<PlacedGrid> placed_, compared_;
   GridPalette palette_;

@@ -46,10 +46,10 @@ RasterTiles::Drawing RasterTiles::drawing() {
   Drawing drawing;
   if (!hasContent()) return drawing;
   if (!stand_ins_.empty()) stand_ins_.draw(tiles_.view(), drawing.stand_ins);
-  for (const TilePlace& place : tiles_.visible()) {
-    ViewTile* const tile = tiles_.find(place);
+  for (const TileKey& key : tiles_.visible()) {
+    ViewTile* const tile = tiles_.find(key);
     if (!tile || !tile->known) continue;
-    const QPointF offset = tiles_.offsetOf(place);
+    const QPointF offset = tiles_.offsetOf(key);
     if (!drawing.stand_ins.empty()) {
       drawing.covered += QRect(int(offset.x()), int(offset.y()), kTileEdge, kTileEdge);
     }
@@ -62,8 +62,8 @@ RasterTiles::Drawing RasterTiles::drawing() {
 
 bool RasterTiles::settled() const {
   if (!paintable() || !active_) return true;
-  return std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TilePlace& place) {
-    const ViewTile* const tile = tiles_.find(place);
+  return std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TileKey& key) {
+    const ViewTile* const tile = tiles_.find(key);
     return tile && settled(*tile);
   });
 }
@@ -96,10 +96,10 @@ void RasterTiles::changed() {
       Qt::QueuedConnection);
 }
 
-TileWorkers::Ticket RasterTiles::start(const TilePlace& place, const ViewTile& tile, TileWorkers::Work work,
+TileWorkers::Ticket RasterTiles::start(const TileKey& key, const ViewTile& tile, TileWorkers::Work work,
                                        bool exact, std::uint64_t colors) {
   const TileWorkers::Ticket ticket = workers_.start(tile.urgency(), std::move(work));
-  under_way_[ticket] = {place, raster_, generation_, colors, exact};
+  under_way_[ticket] = {key, raster_, generation_, colors, exact};
   return ticket;
 }
 
@@ -144,7 +144,7 @@ void RasterTiles::receive(std::vector<TileWorkers::Outcome> outcomes) {
     }
     const UnderWay work = found->second;
     under_way_.erase(found);
-    ViewTile* const tile = work.raster == raster_ ? tiles_.find(work.place) : nullptr;
+    ViewTile* const tile = work.raster == raster_ ? tiles_.find(work.key) : nullptr;
     const bool awaited = tile && !outcome.cancelled &&
                          (tile->exact_work == outcome.ticket || tile->preview_work == outcome.ticket);
     ++(awaited ? taken_ : dropped_);
@@ -162,8 +162,8 @@ void RasterTiles::receive(std::vector<TileWorkers::Outcome> outcomes) {
 
 void RasterTiles::dropStandInsWhenCovered() {
   if (stand_ins_.empty()) return;
-  if (std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TilePlace& place) {
-        const ViewTile* const tile = tiles_.find(place);
+  if (std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TileKey& key) {
+        const ViewTile* const tile = tiles_.find(key);
         return tile && tile->known;
       })) {
     stand_ins_.clear();
@@ -186,15 +186,15 @@ void PaintedTiles::setPainter(TilePainter painter) {
 }
 
 void PaintedTiles::startMissing() {
-  for (const TilePlace& place : tiles().visible()) {
+  for (const TileKey& key : tiles().visible()) {
     if (!workers().hasRoom()) break;
-    ViewTile& tile = tiles().at(place);
+    ViewTile& tile = tiles().at(key);
     if (tile.current() || tile.exact_work != 0) continue;
-    const auto work = [grid = tiles().gridOf(place),
+    const auto work = [grid = tiles().gridOf(key),
                        painter = painter_](const std::atomic<bool>& cancelled) -> TileResult {
       return {nullptr, (*painter)(grid, cancelled), nullptr};
     };
-    tile.exact_work = start(place, tile, work, true);
+    tile.exact_work = start(key, tile, work, true);
   }
 }
 

@@ -96,7 +96,7 @@ class RasterTiles : public QObject {
   /// Something is to be started, or drawn anew: soon, once for all that changed until then.
   void changed();
   /// `exact`: what it makes is no preview. `colors`: the revision of the colours that it is painted in.
-  TileWorkers::Ticket start(const TilePlace& place, const ViewTile& tile, TileWorkers::Work work, bool exact,
+  TileWorkers::Ticket start(const TileKey& key, const ViewTile& tile, TileWorkers::Work work, bool exact,
                             std::uint64_t colors = 0);
   void cancelAll();
   void cancelExact();
@@ -106,7 +106,7 @@ class RasterTiles : public QObject {
 
  private:
   struct UnderWay {
-    TilePlace place;
+    TileKey key;
     std::uint64_t raster = 0, generation = 0, colors = 0;
     bool exact = false;
   };

@@ -93,9 +93,9 @@ int TileRenderer::pyramidLevel() const {
 
 /// Empty ground is known without any work.
 void TileRenderer::viewChanged() {
-  for (const TilePlace& place : tiles().visible()) {
-    ViewTile& tile = tiles().at(place);
-    if (tile.settled() || index_.anyWithin(tiles().gridOf(place).bounds())) continue;
+  for (const TileKey& key : tiles().visible()) {
+    ViewTile& tile = tiles().at(key);
+    if (tile.settled() || index_.anyWithin(tiles().gridOf(key).bounds())) continue;
     cancel(tile);
     tiles().setPicture(tile, nullptr, {}, colors_revision_);
     tile.known = tile.exact = true;
@@ -107,56 +107,56 @@ void TileRenderer::startMissing() {
   pyramid_.beginRound();
   const bool from_pyramid = usesPyramid();
   if (from_pyramid) startPreviews();
-  for (const TilePlace& place : tiles().visible()) {
+  for (const TileKey& key : tiles().visible()) {
     if (!workers().hasRoom()) return;
-    ViewTile& tile = tiles().at(place);
+    ViewTile& tile = tiles().at(key);
     if (tile.settled() || tile.exact_work != 0) continue;
-    if (!from_pyramid || !startFromPyramid(place, tile)) startComposing(place, tile, Quality::Exact);
+    if (!from_pyramid || !startFromPyramid(key, tile)) startComposing(key, tile, Quality::Exact);
   }
 }
 
 void TileRenderer::startPreviews() {
-  for (const TilePlace& place : tiles().visible()) {
+  for (const TileKey& key : tiles().visible()) {
     if (!workers().hasRoom()) return;
-    ViewTile& tile = tiles().at(place);
+    ViewTile& tile = tiles().at(key);
     if (tile.current() || tile.preview_work != 0) continue;
     // Old content stays until the new is ready, unless that takes long.
-    const bool soon_exact = tile.known && pyramid_.missing(patchFor(tiles().gridOf(place), pyramidLevel(),
+    const bool soon_exact = tile.known && pyramid_.missing(patchFor(tiles().gridOf(key), pyramidLevel(),
                                                                     pyramid_.base())) <= kFewMissing;
-    if (!soon_exact) startComposing(place, tile, Quality::Preview);
+    if (!soon_exact) startComposing(key, tile, Quality::Preview);
   }
 }
 
 // False if the pyramid cannot provide such a tile at all.
-bool TileRenderer::startFromPyramid(const TilePlace& place, ViewTile& tile) {
-  const PixelGrid grid = tiles().gridOf(place);
+bool TileRenderer::startFromPyramid(const TileKey& key, ViewTile& tile) {
+  const PixelGrid grid = tiles().gridOf(key);
   PyramidPatch patch = patchFor(grid, pyramidLevel(), pyramid_.base());
   if (patch.columns == 0) return false;
   if (!pyramid_.request(patch) || !workers().hasRoom()) return true;
   tile.exact_work =
-      startWork(place, tile, true, [grid, patch = std::move(patch)](const std::atomic<bool>& cancelled) {
+      startWork(key, tile, true, [grid, patch = std::move(patch)](const std::atomic<bool>& cancelled) {
         return resampled(grid, patch, cancelled);
       });
   return true;
 }
 
-void TileRenderer::startComposing(const TilePlace& place, ViewTile& tile, Quality quality) {
-  const PixelGrid grid = tiles().gridOf(place);
+void TileRenderer::startComposing(const TileKey& key, ViewTile& tile, Quality quality) {
+  const PixelGrid grid = tiles().gridOf(key);
   // Reduced levels extend slightly beyond the cells themselves.
   const double margin_m = quality == Quality::Preview ? 2 * grid.scale_m_per_px : 0;
   const bool exact = quality == Quality::Exact;
   (exact ? tile.exact_work : tile.preview_work) =
-      startWork(place, tile, exact,
+      startWork(key, tile, exact,
                 [grid, quality, textures = index_.within(grid.bounds().grown(margin_m)),
                  dense = dense_](const std::atomic<bool>& cancelled) {
                   return compose(grid, textures, quality, *dense, Kernel::Best, &cancelled);
                 });
 }
 
-TileWorkers::Ticket TileRenderer::startWork(const TilePlace& place, const ViewTile& tile, bool exact,
+TileWorkers::Ticket TileRenderer::startWork(const TileKey& key, const ViewTile& tile, bool exact,
                                             Compose compose) {
   return start(
-      place, tile,
+      key, tile,
       [compose = std::move(compose),
        colors = color_table_](const std::atomic<bool>& cancelled) -> TileResult {
         auto pixels = std::make_shared<const Composition>(compose(cancelled));
@@ -184,10 +184,10 @@ std::vector<DrawnTile> TileRenderer::drawnTiles() {
   standIns().draw(tiles().view(), drawn);
   const bool over_stand_ins = !drawn.empty();
   QImage unknown;
-  for (const TilePlace& place : tiles().visible()) {
-    ViewTile* const tile = tiles().find(place);
+  for (const TileKey& key : tiles().visible()) {
+    ViewTile* const tile = tiles().find(key);
     if (tile == nullptr || !tile->known) continue;
-    const QPointF offset = tiles().offsetOf(place);
+    const QPointF offset = tiles().offsetOf(key);
     refresh(*tile);
     QImage image = tile->picture.image;
     if (image.isNull()) {
@@ -207,8 +207,8 @@ std::vector<DrawnTile> TileRenderer::drawnTiles() {
 TileCounts TileRenderer::counts() const {
   TileCounts counts;
   counts.visible = int(tiles().visible().size());
-  for (const TilePlace& place : tiles().visible()) {
-    const ViewTile* const tile = tiles().find(place);
+  for (const TileKey& key : tiles().visible()) {
+    const ViewTile* const tile = tiles().find(key);
     const bool settled = tile != nullptr && tile->settled();
     counts.exact += settled;
     counts.pending += !settled;
@@ -230,11 +230,11 @@ Composition TileRenderer::composition() const {
   const std::size_t pixels = std::size_t(whole.width_px) * std::size_t(whole.height_px);
   whole.intensity.assign(pixels, 128);
   whole.flags.assign(pixels, 0);
-  for (const TilePlace& place : tiles.visible()) {
-    const ViewTile* const tile = tiles.find(place);
+  for (const TileKey& key : tiles.visible()) {
+    const ViewTile* const tile = tiles.find(key);
     if (tile == nullptr || !tile->picture.pixels) continue;
     const Composition& part = *tile->picture.pixels;
-    const QPointF offset = tiles.offsetOf(place);
+    const QPointF offset = tiles.offsetOf(key);
     const int left = int(offset.x()), top = int(offset.y());
     const int first = std::max(0, -left), last = std::min(part.width_px, whole.width_px - left);
     for (int row = std::max(0, -top); row < std::min(part.height_px, whole.height_px - top); ++row) {
@@ -250,7 +250,7 @@ Composition TileRenderer::composition() const {
 std::optional<int> TileRenderer::intensityAt(const Eigen::Vector2d& world_m) const {
   const ViewTiles& tiles = this->tiles();
   const auto pixel = tiles.pixelAt(world_m);
-  const ViewTile* const tile = pixel ? tiles.find(pixel->place) : nullptr;
+  const ViewTile* const tile = pixel ? tiles.find(pixel->key) : nullptr;
   if (tile == nullptr || !tile->picture.pixels) return std::nullopt;
   const Composition& pixels = *tile->picture.pixels;
   if (pixel->column >= pixels.width_px || pixel->row >= pixels.height_px) return std::nullopt;

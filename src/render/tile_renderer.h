@@ -88,9 +88,9 @@ class TileRenderer : public RasterTiles {
   bool usesPyramid() const;
   int pyramidLevel() const;
   void startPreviews();
-  bool startFromPyramid(const TilePlace& place, ViewTile& tile);
-  void startComposing(const TilePlace& place, ViewTile& tile, Quality quality);
-  TileWorkers::Ticket startWork(const TilePlace& place, const ViewTile& tile, bool exact, Compose compose);
+  bool startFromPyramid(const TileKey& key, ViewTile& tile);
+  void startComposing(const TileKey& key, ViewTile& tile, Quality quality);
+  TileWorkers::Ticket startWork(const TileKey& key, const ViewTile& tile, bool exact, Compose compose);
 
   TextureIndex index_;
   std::shared_ptr<DenseCache> dense_;  // work under way has it, too

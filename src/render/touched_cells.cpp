@@ -10,8 +10,10 @@ using grids::GridPyramid;
 constexpr int kValueBits = 20;  // of a sum over at most a row of a tile: 256 * 255
 constexpr double kFlat = 1e-12, kAligned = 1e-9;
 
-/// The first cell of a level that begins at or before `place`, and the last that ends at or after it.
-int cellAt(double place, int cells) { return int(std::clamp(std::floor(place), 0.0, double(cells - 1))); }
+/// The first cell of a level that begins at or before `position`, and the last that ends at or after it.
+int cellAt(double position, int cells) {
+  return int(std::clamp(std::floor(position), 0.0, double(cells - 1)));
+}
 
 }  // namespace
 
@@ -184,7 +186,7 @@ void MeanTouched::addRow(const Eigen::Vector2d& centre, int v, double top, doubl
   const Side left = sideBetween(left_, top, bottom), right = sideBetween(right_, top, bottom);
   if (left.count == 0 || right.count == 0) return;
   const int width = reach_.width();
-  const auto clamped = [width](double place) { return int(std::clamp(place, 0.0, double(width))); };
+  const auto clamped = [width](double position) { return int(std::clamp(position, 0.0, double(width))); };
   const int begin = clamped(std::floor(left.least + centre.x())),
             end = clamped(std::ceil(right.most + centre.x()));
   int whole_from = clamped(std::ceil(left.most + centre.x())),
@@ -192,8 +194,8 @@ void MeanTouched::addRow(const Eigen::Vector2d& centre, int v, double top, doubl
   if (whole_to < whole_from) whole_from = whole_to = end;
   const auto partly = [&](int from, int to) {
     for (int u = from; u < to; ++u) {
-      const double place = u - centre.x();
-      const double weight = right.leftOf(place) - left.leftOf(place);
+      const double position = u - centre.x();
+      const double weight = right.leftOf(position) - left.leftOf(position);
       if (weight > 0) addCell(u, v, weight, sums);
     }
   };

@@ -7,7 +7,7 @@ namespace mapwright::render {
 namespace {
 
 constexpr double kFarthestPixel = double(std::int64_t(1) << 50);
-constexpr double kFarthestPlace = kFarthestPixel / kTileEdge;
+constexpr double kFarthestTile = kFarthestPixel / kTileEdge;
 constexpr std::size_t kTileBytes = 256;
 
 bool usable(const geometry::ViewTransform& view) {
@@ -61,38 +61,38 @@ void ViewTiles::listVisible() {
   }
   const double middle_x = view_.width_px / 2.0 - kTileEdge / 2.0,
                middle_y = view_.height_px / 2.0 - kTileEdge / 2.0;
-  const auto distance = [&](const TilePlace& place) {
-    const QPointF offset = offsetOf(place);
+  const auto distance = [&](const TileKey& key) {
+    const QPointF offset = offsetOf(key);
     return std::hypot(offset.x() - middle_x, offset.y() - middle_y);
   };
   std::stable_sort(visible_.begin(), visible_.end(),
                    [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
 }
 
-ViewTile& ViewTiles::at(const TilePlace& place) {
-  const auto [found, added] = tiles_.try_emplace(place);
+ViewTile& ViewTiles::at(const TileKey& key) {
+  const auto [found, added] = tiles_.try_emplace(key);
   if (added) {
     found->second.last_visible = views_;
-    found->second.picture.grid = gridOf(place);
+    found->second.picture.grid = gridOf(key);
     bytes_ += kTileBytes;
   }
   return found->second;
 }
 
-ViewTile* ViewTiles::find(const TilePlace& place) {
-  const auto found = tiles_.find(place);
+ViewTile* ViewTiles::find(const TileKey& key) {
+  const auto found = tiles_.find(key);
   return found == tiles_.end() ? nullptr : &found->second;
 }
 
-const ViewTile* ViewTiles::find(const TilePlace& place) const {
-  const auto found = tiles_.find(place);
+const ViewTile* ViewTiles::find(const TileKey& key) const {
+  const auto found = tiles_.find(key);
   return found == tiles_.end() ? nullptr : &found->second;
 }
 
-PixelGrid ViewTiles::gridOf(const TilePlace& place) const {
+PixelGrid ViewTiles::gridOf(const TileKey& key) const {
   PixelGrid grid = raster_;
-  grid.first_column = place.x * kTileEdge;
-  grid.first_row = place.y * kTileEdge;
+  grid.first_column = key.x * kTileEdge;
+  grid.first_row = key.y * kTileEdge;
   grid.width_px = grid.height_px = kTileEdge;
   if (snapshot_) {
     grid.width_px = int(std::min<std::int64_t>(kTileEdge, view_.width_px - grid.first_column));
@@ -101,8 +101,8 @@ PixelGrid ViewTiles::gridOf(const TilePlace& place) const {
   return grid;
 }
 
-QPointF ViewTiles::offsetOf(const TilePlace& place) const {
-  return {offset_x_ + double(place.x * kTileEdge), offset_y_ + double(place.y * kTileEdge)};
+QPointF ViewTiles::offsetOf(const TileKey& key) const {
+  return {offset_x_ + double(key.x * kTileEdge), offset_y_ + double(key.y * kTileEdge)};
 }
 
 std::optional<ViewTiles::Pixel> ViewTiles::pixelAt(const Eigen::Vector2d& world_m) const {
@@ -111,13 +111,12 @@ std::optional<ViewTiles::Pixel> ViewTiles::pixelAt(const Eigen::Vector2d& world_
   const Eigen::Vector2d d = (world_m - raster_.origin_m) / raster_.scale_m_per_px;
   const double column = std::floor(c * d.x() - s * d.y()), row = std::floor(-(s * d.x() + c * d.y()));
   if (!(std::abs(column) < kFarthestPixel && std::abs(row) < kFarthestPixel)) return std::nullopt;
-  const TilePlace place{std::int64_t(std::floor(column / kTileEdge)),
-                        std::int64_t(std::floor(row / kTileEdge))};
-  return Pixel{place, int(std::int64_t(column) - place.x * kTileEdge),
-               int(std::int64_t(row) - place.y * kTileEdge)};
+  const TileKey key{std::int64_t(std::floor(column / kTileEdge)), std::int64_t(std::floor(row / kTileEdge))};
+  return Pixel{key, int(std::int64_t(column) - key.x * kTileEdge),
+               int(std::int64_t(row) - key.y * kTileEdge)};
 }
 
-ViewTiles::PlaceRange ViewTiles::placesUnder(const geometry::WorldRect& rect) const {
+ViewTiles::KeyRange ViewTiles::keysUnder(const geometry::WorldRect& rect) const {
   const double c = std::cos(raster_.rotation_rad), s = std::sin(raster_.rotation_rad);
   geometry::WorldRect pixels;
   for (const double x : {rect.min_x, rect.max_x}) {
@@ -127,11 +126,11 @@ ViewTiles::PlaceRange ViewTiles::placesUnder(const geometry::WorldRect& rect) co
     }
   }
   if (!std::isfinite(pixels.width() + pixels.height())) {
-    return {-kFarthestPlace, -kFarthestPlace, kFarthestPlace, kFarthestPlace};
+    return {-kFarthestTile, -kFarthestTile, kFarthestTile, kFarthestTile};
   }
   // A pixel more for the rounding of the corners.
   const auto placeOf = [](double pixel) {
-    return std::clamp(std::floor(pixel / kTileEdge), -kFarthestPlace, kFarthestPlace);
+    return std::clamp(std::floor(pixel / kTileEdge), -kFarthestTile, kFarthestTile);
   };
   return {placeOf(pixels.min_x - 1), placeOf(pixels.min_y - 1), placeOf(pixels.max_x + 1),
           placeOf(pixels.max_y + 1)};
@@ -148,7 +147,7 @@ void ViewTiles::setPicture(ViewTile& tile, std::shared_ptr<const Composition> pi
 
 std::vector<Picture> ViewTiles::pictures(std::size_t others) const {
   std::vector<Picture> pictures;
-  for (const auto& [place, tile] : tiles_) {
+  for (const auto& [key, tile] : tiles_) {
     if (tile.picture.image.isNull()) continue;
     const bool in_view = !visible_.empty() && tile.last_visible == views_;
     if (!in_view && others == 0) continue;
@@ -165,17 +164,17 @@ void ViewTiles::clear() {
 
 void ViewTiles::trim(std::size_t budget_bytes) {
   if (bytes_ <= budget_bytes) return;
-  std::vector<std::pair<std::uint64_t, TilePlace>> hidden;
-  for (const auto& [place, tile] : tiles_) {
+  std::vector<std::pair<std::uint64_t, TileKey>> hidden;
+  for (const auto& [key, tile] : tiles_) {
     if (tile.last_visible != views_ && tile.exact_work == 0 && tile.preview_work == 0) {
-      hidden.emplace_back(tile.last_visible, place);
+      hidden.emplace_back(tile.last_visible, key);
     }
   }
   std::sort(hidden.begin(), hidden.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [last_visible, place] : hidden) {
+  for (const auto& [last_visible, key] : hidden) {
     if (bytes_ <= budget_bytes) return;
-    bytes_ -= bytesOf(tiles_.at(place).picture) + kTileBytes;
-    tiles_.erase(place);
+    bytes_ -= bytesOf(tiles_.at(key).picture) + kTileBytes;
+    tiles_.erase(key);
   }
 }
 

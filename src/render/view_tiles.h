@@ -14,9 +14,9 @@
 namespace mapwright::render {
 
 /// Tile (x, y) covers kTileEdge x kTileEdge pixels of the view's infinite raster.
-struct TilePlace {
+struct TileKey {
   std::int64_t x = 0, y = 0;
-  auto operator<=>(const TilePlace&) const = default;
+  auto operator<=>(const TileKey&) const = default;
 };
 
 struct ViewTile {
@@ -46,16 +46,16 @@ class ViewTiles {
   const geometry::ViewTransform& view() const { return view_; }
 
   /// Visible, nearest to the centre first.
-  const std::vector<TilePlace>& visible() const { return visible_; }
-  ViewTile& at(const TilePlace& place);  // created when new
-  ViewTile* find(const TilePlace& place);
-  const ViewTile* find(const TilePlace& place) const;
-  PixelGrid gridOf(const TilePlace& place) const;
+  const std::vector<TileKey>& visible() const { return visible_; }
+  ViewTile& at(const TileKey& key);  // created when new
+  ViewTile* find(const TileKey& key);
+  const ViewTile* find(const TileKey& key) const;
+  PixelGrid gridOf(const TileKey& key) const;
   /// Viewport pixel of the tile's first pixel: integers.
-  QPointF offsetOf(const TilePlace& place) const;
+  QPointF offsetOf(const TileKey& key) const;
   /// The tile and its pixel for a world point; nullopt if there is none.
   struct Pixel {
-    TilePlace place;
+    TileKey key;
     int column = 0, row = 0;
   };
   std::optional<Pixel> pixelAt(const Eigen::Vector2d& world_m) const;
@@ -69,7 +69,7 @@ class ViewTiles {
   std::vector<Picture> pictures(std::size_t others) const;
   template <typename Visit>
   void forEach(Visit visit) {
-    for (auto& [place, tile] : tiles_) visit(tile);
+    for (auto& [key, tile] : tiles_) visit(tile);
   }
 
   void clear();
@@ -78,19 +78,19 @@ class ViewTiles {
   void trim(std::size_t budget_bytes);
 
  private:
-  // Tiles touched by a world rectangle, as a range of (clamped) places.
-  struct PlaceRange {
+  // Tiles touched by a world rectangle, as a range of (clamped) keys.
+  struct KeyRange {
     double x0, y0, x1, y1;
   };
-  PlaceRange placesUnder(const geometry::WorldRect& rect) const;
+  KeyRange keysUnder(const geometry::WorldRect& rect) const;
   void listVisible();
 
   bool snapshot_;
   geometry::ViewTransform view_{.width_px = 0, .height_px = 0};
   PixelGrid raster_;
   double offset_x_ = 0, offset_y_ = 0;  // viewport pixel of raster pixel (0, 0), integers
-  std::map<TilePlace, ViewTile> tiles_;
-  std::vector<TilePlace> visible_;
+  std::map<TileKey, ViewTile> tiles_;
+  std::vector<TileKey> visible_;
   std::uint64_t views_ = 0;
   std::size_t bytes_ = 0;
 };
@@ -105,10 +105,10 @@ void ViewTiles::touch(const std::vector<geometry::WorldRect>& rects, std::uint64
   };
   for (const geometry::WorldRect& rect : rects) {
     if (rect.empty() || tiles_.empty()) continue;
-    const PlaceRange range = placesUnder(rect);
+    const KeyRange range = keysUnder(rect);
     if ((range.x1 - range.x0 + 1) * (range.y1 - range.y0 + 1) > double(tiles_.size())) {
-      for (auto& [place, tile] : tiles_) {
-        const auto x = double(place.x), y = double(place.y);
+      for (auto& [key, tile] : tiles_) {
+        const auto x = double(key.x), y = double(key.y);
         if (x >= range.x0 && x <= range.x1 && y >= range.y0 && y <= range.y1) mark(tile);
       }
       continue;
