@@ -165,7 +165,7 @@ void Summary::add(double at_s, double value) {
 }
 
 template <typename Before>
-Place Blocks::bound(Before before) const {
+SamplePosition Blocks::bound(Before before) const {
   // The first block whose last sample is not earlier.
   const auto block = std::partition_point(blocks_.begin(), blocks_.end(),
                                           [&](const Block& each) { return before(each.at.back()); });
@@ -174,24 +174,24 @@ Place Blocks::bound(Before before) const {
   return {std::size_t(block - blocks_.begin()), std::size_t(index - block->at.begin())};
 }
 
-Place Blocks::lowerBound(double at_s) const {
+SamplePosition Blocks::lowerBound(double at_s) const {
   return bound([at_s](double each) { return each < at_s; });
 }
-Place Blocks::upperBound(double at_s) const {
+SamplePosition Blocks::upperBound(double at_s) const {
   return bound([at_s](double each) { return each <= at_s; });
 }
 
-Place Blocks::next(Place place) const {
-  if (++place.index < blocks_[place.block].at.size()) return place;
-  return {place.block + 1, 0};
+SamplePosition Blocks::next(SamplePosition position) const {
+  if (++position.index < blocks_[position.block].at.size()) return position;
+  return {position.block + 1, 0};
 }
 
-Place Blocks::previous(Place place) const {
-  if (place.index > 0) return {place.block, place.index - 1};
-  return {place.block - 1, blocks_[place.block - 1].at.size() - 1};
+SamplePosition Blocks::previous(SamplePosition position) const {
+  if (position.index > 0) return {position.block, position.index - 1};
+  return {position.block - 1, blocks_[position.block - 1].at.size() - 1};
 }
 
-Summary Blocks::sum(Place from, Place until) const {
+Summary Blocks::sum(SamplePosition from, SamplePosition until) const {
   Summary sum;
   if (!(from < until)) return sum;
   if (from.block == until.block) {
@@ -219,7 +219,7 @@ void Blocks::append(double at_s, double value) {
   ++size_;
 }
 
-void Blocks::replace(Place from, Place until, std::span<const Sample> samples) {
+void Blocks::replace(SamplePosition from, SamplePosition until, std::span<const Sample> samples) {
   if (from == until && samples.empty()) return;
   // What remains of the blocks at either end, and small neighbours, make new blocks together with `samples`.
   std::size_t first = from.block, last = until.index > 0 ? until.block + 1 : until.block;
@@ -302,8 +302,8 @@ void Series::append(double at_s, double value) {
     blocks_.append(at_s, value);
   } else {
     const Sample sample{at_s, value};
-    const Place place = blocks_.upperBound(at_s);
-    blocks_.replace(place, place, {&sample, 1});
+    const SamplePosition position = blocks_.upperBound(at_s);
+    blocks_.replace(position, position, {&sample, 1});
   }
   thin();
 }
@@ -345,7 +345,7 @@ bool Series::isCovered(double from_s, double until_s) const {
 }
 
 std::optional<Sample> Series::at(double at_s) const {
-  const Place after = blocks_.upperBound(at_s);
+  const SamplePosition after = blocks_.upperBound(at_s);
   if (after == blocks_.begin()) return std::nullopt;
   const Sample sample = blocks_.at(blocks_.previous(after));
   if (!std::isfinite(sample.value) || !isCovered(sample.at_s, at_s)) return std::nullopt;
@@ -354,9 +354,10 @@ std::optional<Sample> Series::at(double at_s) const {
 
 std::vector<Sample> Series::samples(double from_s, double until_s) const {
   std::vector<Sample> found;
-  const Place end = blocks_.lowerBound(until_s);
-  for (Place place = blocks_.lowerBound(from_s); place < end; place = blocks_.next(place))
-    found.push_back(blocks_.at(place));
+  const SamplePosition end = blocks_.lowerBound(until_s);
+  for (SamplePosition position = blocks_.lowerBound(from_s); position < end;
+       position = blocks_.next(position))
+    found.push_back(blocks_.at(position));
   return found;
 }
 
@@ -372,8 +373,9 @@ void Series::thin() {
   thinned_ = true;
   std::vector<Sample> kept, run;
   kept.reserve(size() / 2);
-  for (Place place = blocks_.begin(); place < blocks_.end(); place = blocks_.next(place)) {
-    run.push_back(blocks_.at(place));
+  for (SamplePosition position = blocks_.begin(); position < blocks_.end();
+       position = blocks_.next(position)) {
+    run.push_back(blocks_.at(position));
     if (run.size() < kRun) continue;
     addThinned(kept, run);
     run.clear();
@@ -385,22 +387,22 @@ void Series::thin() {
 std::vector<Stroke> Series::strokes(double from_s, double until_s, int columns) const {
   if (!(from_s < until_s) || columns < 1) return {};
   Pen pen(covered_);
-  Place place = blocks_.lowerBound(from_s);
-  const Place end = blocks_.upperBound(until_s);
-  if (blocks_.begin() < place) addSample(pen, blocks_.at(blocks_.previous(place)));
+  SamplePosition position = blocks_.lowerBound(from_s);
+  const SamplePosition end = blocks_.upperBound(until_s);
+  if (blocks_.begin() < position) addSample(pen, blocks_.at(blocks_.previous(position)));
   const double width_s = (until_s - from_s) / columns;
-  while (place < end) {
+  while (position < end) {
     // Columns without samples cost nothing.
-    const double column = std::floor((blocks_.at(place).at_s - from_s) / width_s);
-    Place next =
+    const double column = std::floor((blocks_.at(position).at_s - from_s) / width_s);
+    SamplePosition next =
         column + 1 >= columns ? end : std::min(blocks_.lowerBound(from_s + (column + 1) * width_s), end);
-    if (!(place < next)) next = blocks_.next(place);  // what rounding left behind
-    const Summary sum = blocks_.sum(place, next);
+    if (!(position < next)) next = blocks_.next(position);  // what rounding left behind
+    const Summary sum = blocks_.sum(position, next);
     if (sum.count > kFew) {
       addColumn(pen, sum);
-      place = next;
+      position = next;
     } else {
-      for (; place < next; place = blocks_.next(place)) addSample(pen, blocks_.at(place));
+      for (; position < next; position = blocks_.next(position)) addSample(pen, blocks_.at(position));
     }
   }
   if (end < blocks_.end()) addSample(pen, blocks_.at(end));

@@ -42,9 +42,9 @@ struct Block {
 };
 
 /// A position between samples: before sample `index` of a block. The end is {blocks, 0}.
-struct Place {
+struct SamplePosition {
   std::size_t block = 0, index = 0;
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const SamplePosition&) const = default;
 };
 
 /// The samples of a Series in blocks with summaries, so that a range is summed up without looking at each.
@@ -54,27 +54,27 @@ class Blocks {
 
   const std::vector<Block>& all() const { return blocks_; }
   std::size_t size() const { return size_; }
-  Place begin() const { return {0, 0}; }
-  Place end() const { return {blocks_.size(), 0}; }
+  SamplePosition begin() const { return {0, 0}; }
+  SamplePosition end() const { return {blocks_.size(), 0}; }
   /// Before the first sample with t >= at_s, or t > at_s.
-  Place lowerBound(double at_s) const;
-  Place upperBound(double at_s) const;
-  Place next(Place place) const;
-  Place previous(Place place) const;  // not of begin()
-  Sample at(Place place) const {
-    return {blocks_[place.block].at[place.index], blocks_[place.block].value[place.index]};
+  SamplePosition lowerBound(double at_s) const;
+  SamplePosition upperBound(double at_s) const;
+  SamplePosition next(SamplePosition position) const;
+  SamplePosition previous(SamplePosition position) const;  // not of begin()
+  Sample at(SamplePosition position) const {
+    return {blocks_[position.block].at[position.index], blocks_[position.block].value[position.index]};
   }
-  Summary sum(Place from, Place until) const;
+  Summary sum(SamplePosition from, SamplePosition until) const;
 
   void append(double at_s, double value);
   /// Replaces everything between the two by `samples`, which are sorted.
-  void replace(Place from, Place until, std::span<const Sample> samples);
+  void replace(SamplePosition from, SamplePosition until, std::span<const Sample> samples);
   void clear();
   std::size_t bytes() const;
 
  private:
   template <typename Before>
-  Place bound(Before before) const;
+  SamplePosition bound(Before before) const;
 
   std::vector<Block> blocks_;
   std::size_t size_ = 0;

@@ -13,22 +13,22 @@ constexpr double kOutOfView = 1e9;     // farther than anything in view
 
 }  // namespace
 
-double NearestFirst::rank(const Place& place) const {
-  const double distance = (place.at - center_).norm();
-  if (place.hidden) return distance + 2 * kOutOfView;
-  return view_.empty() || view_.grown(kReachM).contains(place.at) ? distance : distance + kOutOfView;
+double NearestFirst::rank(const Candidate& candidate) const {
+  const double distance = (candidate.at - center_).norm();
+  if (candidate.hidden) return distance + 2 * kOutOfView;
+  return view_.empty() || view_.grown(kReachM).contains(candidate.at) ? distance : distance + kOutOfView;
 }
 
 void NearestFirst::put(map::SubmapId id, const Eigen::Vector2d& at, bool hidden) {
-  const auto [found, added] = places_.try_emplace(id);
-  Place& place = found->second;
-  if (!added && place.at == at && place.hidden == hidden) return;
-  place = {at, hidden};
-  if (rank(place) <= plan_reach_) plan_.clear();
+  const auto [found, added] = candidates_.try_emplace(id);
+  Candidate& candidate = found->second;
+  if (!added && candidate.at == at && candidate.hidden == hidden) return;
+  candidate = {at, hidden};
+  if (rank(candidate) <= plan_reach_) plan_.clear();
 }
 
 void NearestFirst::clear() {
-  places_.clear();
+  candidates_.clear();
   plan_.clear();
 }
 
@@ -40,10 +40,10 @@ void NearestFirst::setView(const geometry::WorldRect& visible_world, const Eigen
 
 void NearestFirst::makePlan() {
   std::vector<std::pair<double, map::SubmapId>> ranked;
-  ranked.reserve(places_.size());
-  for (auto& [id, place] : places_) {
-    place.planned = false;
-    ranked.emplace_back(rank(place), id);
+  ranked.reserve(candidates_.size());
+  for (auto& [id, candidate] : candidates_) {
+    candidate.planned = false;
+    ranked.emplace_back(rank(candidate), id);
   }
   if (ranked.size() > kPlanned) {
     std::nth_element(ranked.begin(), ranked.begin() + kPlanned, ranked.end());
@@ -52,19 +52,19 @@ void NearestFirst::makePlan() {
   std::sort(ranked.begin(), ranked.end(), std::greater<>());
   plan_reach_ = ranked.front().first;
   for (const auto& [value, id] : ranked) {
-    places_.at(id).planned = true;
+    candidates_.at(id).planned = true;
     plan_.push_back(id);
   }
 }
 
 std::optional<map::SubmapId> NearestFirst::take() {
-  while (!places_.empty()) {
+  while (!candidates_.empty()) {
     if (plan_.empty()) makePlan();
-    const auto found = places_.find(plan_.back());
+    const auto found = candidates_.find(plan_.back());
     plan_.pop_back();
-    if (found == places_.end() || !found->second.planned) continue;
+    if (found == candidates_.end() || !found->second.planned) continue;
     const map::SubmapId id = found->first;
-    places_.erase(found);
+    candidates_.erase(found);
     return id;
   }
   return std::nullopt;

@@ -16,24 +16,24 @@ class NearestFirst {
  public:
   /// Adds or moves. Positions in metres, in the world.
   void put(map::SubmapId id, const Eigen::Vector2d& at, bool hidden);
-  void remove(map::SubmapId id) { places_.erase(id); }
+  void remove(map::SubmapId id) { candidates_.erase(id); }
   void clear();
   void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
 
   /// Takes the next one out.
   std::optional<map::SubmapId> take();
-  std::size_t size() const { return places_.size(); }
+  std::size_t size() const { return candidates_.size(); }
 
  private:
-  struct Place {
+  struct Candidate {
     Eigen::Vector2d at{0, 0};
     bool hidden = false;
-    bool planned = false;  // in the plan, at its place in the order
+    bool planned = false;  // in the plan, at its position in the order
   };
-  double rank(const Place& place) const;
+  double rank(const Candidate& candidate) const;
   void makePlan();
 
-  std::unordered_map<map::SubmapId, Place> places_;
+  std::unordered_map<map::SubmapId, Candidate> candidates_;
   geometry::WorldRect view_;
   Eigen::Vector2d center_{0, 0};
   std::vector<map::SubmapId> plan_;  // the next ones, best last; some may be gone or have moved since

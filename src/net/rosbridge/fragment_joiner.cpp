@@ -57,51 +57,51 @@ tl::expected<std::optional<QByteArray>, FragmentJoiner::Fault> FragmentJoiner::a
   }
   if (*total >= double(limits_.pieces) + 1) return tl::unexpected(Fault::TooLarge);
   std::string piece = data.text();
-  const std::size_t place_of_piece = std::size_t(*number);
+  const std::size_t piece_index = std::size_t(*number);
   const std::size_t cost = piece.size() + kOverhead;
   if (cost > limits_.bytes) return tl::unexpected(Fault::TooLarge);
 
   const auto lacksIt = [&](const Message& message) {
-    return message.id == *id && message.total == *total && !message.pieces.contains(place_of_piece);
+    return message.id == *id && message.total == *total && !message.pieces.contains(piece_index);
   };
   const auto hasTheSame = [&](const Message& message) {
-    const auto at = message.pieces.find(place_of_piece);
+    const auto at = message.pieces.find(piece_index);
     return message.id == *id && message.total == *total && at != message.pieces.end() && at->second == piece;
   };
-  Place place = std::find_if(open_.begin(), open_.end(), lacksIt);
-  if (place == open_.end()) {
+  Iterator entry = std::find_if(open_.begin(), open_.end(), lacksIt);
+  if (entry == open_.end()) {
     if (std::any_of(open_.begin(), open_.end(), hasTheSame)) return std::nullopt;  // sent twice
     if (open_.size() >= limits_.messages) {
       giveUp(open_.begin());
     }
-    place = open_.emplace(open_.end());
-    place->id = *id;
-    place->total = *total;
-    place->count = std::size_t(*total);
+    entry = open_.emplace(open_.end());
+    entry->id = *id;
+    entry->total = *total;
+    entry->count = std::size_t(*total);
   }
-  place->pieces.emplace(place_of_piece, std::move(piece));
-  place->bytes += cost;
-  place->last = now;
+  entry->pieces.emplace(piece_index, std::move(piece));
+  entry->bytes += cost;
+  entry->last = now;
   held_ += cost;
   while (held_ > limits_.bytes) {
-    const bool itself = open_.begin() == place;
+    const bool itself = open_.begin() == entry;
     giveUp(open_.begin());
     if (itself) return tl::unexpected(Fault::TooLarge);
   }
-  const bool all = place->pieces.size() == place->count;
+  const bool all = entry->pieces.size() == entry->count;
   // One less, and only the last is missing.
-  const bool maybe_all = *total == std::floor(*total) && place->count > 1 &&
-                         place->pieces.size() == place->count - 1 &&
-                         !place->pieces.contains(place->count - 1);
-  if (all || (maybe_all && isWholeObject(place->pieces))) return complete(place);
+  const bool maybe_all = *total == std::floor(*total) && entry->count > 1 &&
+                         entry->pieces.size() == entry->count - 1 &&
+                         !entry->pieces.contains(entry->count - 1);
+  if (all || (maybe_all && isWholeObject(entry->pieces))) return complete(entry);
   return std::nullopt;
 }
 
 void FragmentJoiner::expire(std::chrono::milliseconds now) {
-  for (Place place = open_.begin(); place != open_.end();) {
-    const Place next = std::next(place);
-    if (now - place->last > limits_.timeout) giveUp(place);
-    place = next;
+  for (Iterator entry = open_.begin(); entry != open_.end();) {
+    const Iterator next = std::next(entry);
+    if (now - entry->last > limits_.timeout) giveUp(entry);
+    entry = next;
   }
 }
 
@@ -110,23 +110,23 @@ void FragmentJoiner::clear() {
   held_ = 0;
 }
 
-void FragmentJoiner::close(Place place) {
-  held_ -= place->bytes;
-  open_.erase(place);
+void FragmentJoiner::close(Iterator entry) {
+  held_ -= entry->bytes;
+  open_.erase(entry);
 }
 
-void FragmentJoiner::giveUp(Place place) {
+void FragmentJoiner::giveUp(Iterator entry) {
   ++dropped_;
-  close(place);
+  close(entry);
 }
 
-std::optional<QByteArray> FragmentJoiner::complete(Place place) {
+std::optional<QByteArray> FragmentJoiner::complete(Iterator entry) {
   std::size_t bytes = 0;
-  for (const auto& [number, piece] : place->pieces) bytes += piece.size();
+  for (const auto& [number, piece] : entry->pieces) bytes += piece.size();
   QByteArray text;
   text.reserve(qsizetype(bytes));
-  for (const auto& [number, piece] : place->pieces) text.append(piece.data(), qsizetype(piece.size()));
-  close(place);
+  for (const auto& [number, piece] : entry->pieces) text.append(piece.data(), qsizetype(piece.size()));
+  close(entry);
   return text;
 }
 

@@ -58,11 +58,11 @@ class FragmentJoiner {
     std::size_t bytes = 0;
     std::chrono::milliseconds last{0};
   };
-  using Place = std::list<Message>::iterator;
+  using Iterator = std::list<Message>::iterator;
 
-  void close(Place place);
-  void giveUp(Place place);
-  std::optional<QByteArray> complete(Place place);
+  void close(Iterator entry);
+  void giveUp(Iterator entry);
+  std::optional<QByteArray> complete(Iterator entry);
 
   Limits limits_;
   std::list<Message> open_;  // oldest first
