@@ -103,7 +103,7 @@ class Sending {
 
   exchange::SentOutcome toldBy(const Row& row, bool in_time) const {
     exchange::SentOutcome told = exchange::answered(row);
-    if (row.state == Row::State::UnderWay) {
+    if (row.state == Row::State::InProgress) {
       told.failure = robot_.tooLate({.applied = map::Applied::Maybe, .asked_for = map::AskedFor::Change});
     } else if (told.failure && !in_time) {
       told.failure = robot_.tooLate(std::move(*told.failure));

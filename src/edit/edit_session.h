@@ -41,7 +41,7 @@ class EditSession : public QObject {
   std::optional<Fault> closeDrafts();
 
  Q_SIGNALS:
-  void changed();  // its phase, what is under way, its drafts; the document signals its own changes
+  void changed();  // its phase, what is in progress, its drafts; the document signals its own changes
   /// All of it is stored.
   void saved();
   /// A message for the user.

@@ -84,7 +84,7 @@ void WaypointSubmission::abandon() {
   if (!running()) return;
   ++round_;
   for (Row& row : rows_) {
-    if (row.state != Row::State::UnderWay) continue;
+    if (row.state != Row::State::InProgress) continue;
     row.state = Row::State::Failed;
     row.failure = map::Failure{map::FailureKind::Unreachable, {}, map::Applied::Maybe};
     listener_.failed(row.request, *row.failure);
@@ -154,7 +154,7 @@ void WaypointSubmission::sendNext() {
   while (next < rows_.size() && rows_[next].state != Row::State::Waiting) ++next;
   if (next == rows_.size()) return met_ && !mustLook() ? stop(*met_) : lookAgain();
   if (cancelled_) return stop(map::Failure{map::FailureKind::Cancelled});
-  rows_[next].state = Row::State::UnderWay;
+  rows_[next].state = Row::State::InProgress;
   listener_.sending(rows_[next].request);
   using Receipt = robot::WaypointReceipt;
   const auto end = [this, next](const robot::Outcome<Receipt>& receipt) {

@@ -36,7 +36,7 @@ bool isOfTheLink(const map::Failure& failure);
 struct SubmittedRequest {
   enum class State {
     Waiting,
-    UnderWay,
+    InProgress,
     Done,
     Failed,   // see `failure`, and whether it was applied anyway
     NotSent,  // the submission stopped before

@@ -232,7 +232,7 @@ QStringList conflictLines(const WaypointConflicts& conflicts) {
 
 SentOutcome answered(const SentRequest& sent) {
   if (sent.state == SentRequest::State::Done) return {SentState::Applied};
-  if (sent.state == SentRequest::State::UnderWay) return {SentState::Unknown};
+  if (sent.state == SentRequest::State::InProgress) return {SentState::Unknown};
   if (sent.state != SentRequest::State::Failed) return {};
   map::Failure failure = *sent.failure;
   failure.asked_for = map::AskedFor::Change;

@@ -50,9 +50,9 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
       : store_(store), order_(std::move(order)), reply_(std::move(reply)) {}
 
   robot::Call start() {
-    // Weak, because what is under way holds this object.
+    // Weak, because what is in progress holds this object.
     state_->cancel = [weak = weak_from_this()] {
-      if (const auto self = weak.lock()) self->under_way_.cancel();
+      if (const auto self = weak.lock()) self->call_.cancel();
     };
     const robot::Call call(state_);
     if (order_.held) {
@@ -74,7 +74,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
 
   template <typename Then>
   void read(Then then) {
-    under_way_ = store_.read(order_.map, [self = shared_from_this(), then](Outcome<OverlayText> now) {
+    call_ = store_.read(order_.map, [self = shared_from_this(), then](Outcome<OverlayText> now) {
       then(*self, std::move(now));
     });
   }
@@ -107,7 +107,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     if (!order_.send || !outcome_.merge.conflicts.empty() || text == outcome_.before.text)
       return end(std::move(outcome_));
     outcome_.sent = true;
-    under_way_ = store_.write(order_.map, text, [self = shared_from_this()](Outcome<std::monostate> answer) {
+    call_ = store_.write(order_.map, text, [self = shared_from_this()](Outcome<std::monostate> answer) {
       self->lookAgain(answer ? std::nullopt : std::optional(std::move(answer.error())));
     });
   }
@@ -170,7 +170,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
   OverlayOrder order_;
   robot::OutcomeTo<OverlayOutcome> reply_;
   std::shared_ptr<robot::Call::State> state_ = std::make_shared<robot::Call::State>();
-  robot::Call under_way_;
+  robot::Call call_;
   OverlayOutcome outcome_;
 };
 

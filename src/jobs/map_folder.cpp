@@ -90,20 +90,20 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   }
 
   robot::Call start() {
-    // Weak, because what is under way holds this object.
+    // Weak, because what is in progress holds this object.
     state_->cancel = [weak = weak_from_this()] {
       if (const auto self = weak.lock()) self->cancel();
     };
-    under_way_ = transfer_.parts(
-        parts_.facts.key,
-        [self = shared_from_this()](Outcome<robot::MapParts> parts) { self->onParts(std::move(parts)); });
+    call_ = transfer_.parts(parts_.facts.key, [self = shared_from_this()](Outcome<robot::MapParts> parts) {
+      self->onParts(std::move(parts));
+    });
     return robot::Call(state_);
   }
 
  private:
   void cancel() {
     cancelled_ = true;
-    under_way_.cancel();
+    call_.cancel();
   }
 
   void end(Outcome<DownloadedMap> outcome) {
@@ -127,10 +127,10 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
       return end(robot::fail(aboutFile(
           parts_.facts,
           Fault(faultText("jobs", "Another download into %1 is under way."), {done_.folder.toStdString()}))));
-    under_way_ = transfer_.download(
+    call_ = transfer_.download(
         parts_.facts, in(done_.folder, kDataFile),
         [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->readData(std::move(data)); });
-    under_way_.onProgress([state = state_](robot::Progress progress) {
+    call_.onProgress([state = state_](robot::Progress progress) {
       state->progress = progress;
       if (state->on_progress) state->on_progress(progress);
     });
@@ -210,7 +210,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   robot::MapTransfer& transfer_;
   robot::OutcomeTo<DownloadedMap> reply_;
   std::shared_ptr<robot::Call::State> state_ = std::make_shared<robot::Call::State>();
-  robot::Call under_way_;
+  robot::Call call_;
   bool cancelled_ = false;
   robot::MapParts parts_;
   DownloadedMap done_;

@@ -45,7 +45,7 @@ class RobotSearch : public QObject {
   std::vector<Row> rows_;
   std::size_t waits_for_;
   QTimer deadline_;
-  QObject* asking_;  // a child; owns all that is under way
+  QObject* asking_;  // a child; owns all that is in progress
 };
 
 }  // namespace mapwright::jobs

@@ -104,7 +104,7 @@ class Fetches : public QObject {
   std::map<map::MapKey, Wanted> wanted_;
   std::optional<std::vector<map::CatalogueEntry>> listed_;
   quint64 last_call_ = 0;
-  std::map<quint64, robot::Call> calls_;  // of submaps, under way
+  std::map<quint64, robot::Call> calls_;  // of submaps, in progress
   robot::Call list_;
 };
 

@@ -71,7 +71,7 @@ void RegionFetch::onChanged() {
   Q_EMIT progressed();
   const RegionPlan& plan = map_.regions().plan();
   // A restarting dispatcher is back after a moment.
-  const bool waits = !map_.offered() && plan.underWay() == 0;
+  const bool waits = !map_.offered() && plan.inProgress() == 0;
   if (!waits) without_offer_.stop();
   if (map_.gone() || tooLarge() || (!waits && plan.settled(tries_))) return end();
   if (waits && !without_offer_.isActive()) without_offer_.start();

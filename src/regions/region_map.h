@@ -24,7 +24,7 @@ class RegionMap : public QObject {
     std::function<Millis()> monotonic = {};  // null = the default clock
   };
   RegionMap(robot::MapDispatch& dispatch, Options options, QObject* parent = nullptr);
-  /// Requests under way are cancelled.
+  /// Requests in progress are cancelled.
   ~RegionMap() override;
 
   const MapRegions& regions() const { return regions_; }

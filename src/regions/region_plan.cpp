@@ -152,14 +152,14 @@ std::vector<RegionRequest> RegionPlan::take(Millis now) {
   }
   std::vector<RegionRequest> sent;
   for (RegionRequest& request : wanted()) {
-    if (int(under_way_.size()) >= options_.most_under_way) break;
+    if (int(in_progress_.size()) >= options_.most_in_progress) break;
     RegionRow& row = request.is_first ? probe_ : rows_[request.key];
     if (row.retry_at > now || row.request != 0) continue;
     if (!request.is_first) row.seen = views_;
     request.id = ++last_id_;
     request.round = round_;
     row.request = request.id;
-    under_way_.emplace(request.id, UnderWay{request, cuts_});
+    in_progress_.emplace(request.id, RequestInProgress{request, cuts_});
     sent.push_back(request);
   }
   return sent;
@@ -167,19 +167,19 @@ std::vector<RegionRequest> RegionPlan::take(Millis now) {
 
 std::vector<std::uint64_t> RegionPlan::unwanted() {
   std::vector<std::uint64_t> ids;
-  for (auto& [id, under_way] : under_way_) {
-    const RegionRequest& request = under_way.request;
-    const bool wanted = under_way.cut == cuts_ && squares_.rect() &&
+  for (auto& [id, in_progress] : in_progress_) {
+    const RegionRequest& request = in_progress.request;
+    const bool wanted = in_progress.cut == cuts_ && squares_.rect() &&
                         (request.is_first ? !squares_.isCut() : squares_.contains(request.key));
-    if (wanted || under_way.told) continue;
-    under_way.told = true;
+    if (wanted || in_progress.told) continue;
+    in_progress.told = true;
     ids.push_back(id);
   }
   return ids;
 }
 
 std::optional<Millis> RegionPlan::nextDue(Millis now) const {
-  if (int(under_way_.size()) >= options_.most_under_way) return std::nullopt;
+  if (int(in_progress_.size()) >= options_.most_in_progress) return std::nullopt;
   std::optional<Millis> due;
   for (const RegionRequest& request : wanted()) {
     const RegionRow& of = request.is_first ? probe_ : row(request.key);
@@ -199,13 +199,13 @@ bool RegionPlan::settled(int tries) const {
 }
 
 const RegionRequest* RegionPlan::find(std::uint64_t id) const {
-  const auto found = under_way_.find(id);
-  return found == under_way_.end() ? nullptr : &found->second.request;
+  const auto found = in_progress_.find(id);
+  return found == in_progress_.end() ? nullptr : &found->second.request;
 }
 
 bool RegionPlan::isOfThisCut(std::uint64_t id) const {
-  const auto found = under_way_.find(id);
-  return found != under_way_.end() && found->second.cut == cuts_;
+  const auto found = in_progress_.find(id);
+  return found != in_progress_.end() && found->second.cut == cuts_;
 }
 
 /// nullptr: the lattice of the request no longer exists.
@@ -216,10 +216,10 @@ RegionRow* RegionPlan::rowOf(const RegionRequest& request) {
 }
 
 void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldRect& known) {
-  const auto found = under_way_.find(id);
-  if (found == under_way_.end()) return;
+  const auto found = in_progress_.find(id);
+  if (found == in_progress_.end()) return;
   const RegionRequest request = found->second.request;
-  under_way_.erase(found);
+  in_progress_.erase(found);
   RegionRow* const row = rowOf(request);
   if (!row) return;
   row->request = 0;
@@ -239,10 +239,10 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
 }
 
 void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
-  const auto found = under_way_.find(id);
-  if (found == under_way_.end()) return;
+  const auto found = in_progress_.find(id);
+  if (found == in_progress_.end()) return;
   const RegionRequest request = found->second.request;
-  under_way_.erase(found);
+  in_progress_.erase(found);
   RegionRow* const row = rowOf(request);
   if (!row) return;
   row->request = 0;
@@ -257,10 +257,10 @@ void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
 }
 
 void RegionPlan::cancelled(std::uint64_t id) {
-  const auto found = under_way_.find(id);
-  if (found == under_way_.end()) return;
+  const auto found = in_progress_.find(id);
+  if (found == in_progress_.end()) return;
   const RegionRequest request = found->second.request;
-  under_way_.erase(found);
+  in_progress_.erase(found);
   if (RegionRow* const row = rowOf(request)) row->request = 0;
 }
 

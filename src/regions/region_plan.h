@@ -18,7 +18,7 @@ namespace mapwright::regions {
 using Millis = std::chrono::milliseconds;
 
 struct PlanOptions {
-  int most_under_way = 2;
+  int most_in_progress = 2;
   // In regions of normal size; if more are visible nothing is requested. If a dispatcher sends less at once
   // there are more, smaller ones, up to kMostPieces for each.
   int most_in_view = 32;
@@ -115,7 +115,7 @@ class RegionPlan {
   /// Everything visible is loaded as far as possible: failed ones were tried this often.
   bool settled(int tries) const;
 
-  const RegionRequest* find(std::uint64_t id) const;  // under way
+  const RegionRequest* find(std::uint64_t id) const;  // in progress
   /// The lattice has not changed since it was requested.
   bool isOfThisCut(std::uint64_t id) const;
   /// An answer arrived with cells. Call before answered().
@@ -138,7 +138,7 @@ class RegionPlan {
   /// The visible squares; none if there are too many to request.
   const SquaresInView& inView() const { return squares_; }
   bool tooFar() const { return squares_.tooMany(); }
-  int underWay() const { return int(under_way_.size()); }
+  int inProgress() const { return int(in_progress_.size()); }
   /// Why the first region could not be loaded, while nothing is known of the map.
   const RegionTrouble& probeTrouble() const { return probe_.trouble; }
   /// The wanted part of a region.
@@ -171,12 +171,12 @@ class RegionPlan {
   RegionRow probe_;
   std::optional<geometry::WorldRect> extent_;
   geometry::WorldRect reach_;  // of the cells that came since refresh(); not for a rotated map
-  struct UnderWay {
+  struct RequestInProgress {
     RegionRequest request;
     std::uint64_t cut = 0;  // of which lattice
     bool told = false;      // reported as unwanted
   };
-  std::map<std::uint64_t, UnderWay> under_way_;
+  std::map<std::uint64_t, RequestInProgress> in_progress_;
   std::uint64_t last_id_ = 0, round_ = 1, views_ = 0, cuts_ = 0;
 };
 

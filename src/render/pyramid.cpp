@@ -33,7 +33,7 @@ void Pyramid::setBase(double base_m_per_px) {
 }
 
 void Pyramid::clear() {
-  for (const auto& [ticket, key] : under_way_) workers_.cancel(ticket);
+  for (const auto& [ticket, key] : in_progress_) workers_.cancel(ticket);
   nodes_.clear();
   nodes_by_level_.clear();
   recent_.clear();
@@ -85,7 +85,7 @@ Pyramid::State Pyramid::compose(const PyramidKey& key, Node& node) {
         render::compose(grid, textures, Quality::Exact, *dense, Kernel::Best, &cancelled);
     return TileResult{nullptr, {}, pyramidTileOf(pixels)};
   });
-  under_way_.emplace(node.ticket, key);
+  in_progress_.emplace(node.ticket, key);
   return State::Pending;
 }
 
@@ -109,7 +109,7 @@ Pyramid::State Pyramid::halve(const PyramidKey& key) {
   node.ticket = workers_.start(work::Urgency::Wanted, [parts](const std::atomic<bool>&) {
     return TileResult{nullptr, {}, halved(parts)};
   });
-  under_way_.emplace(node.ticket, key);
+  in_progress_.emplace(node.ticket, key);
   return State::Pending;
 }
 
@@ -176,10 +176,10 @@ void Pyramid::invalidate(const std::vector<geometry::WorldRect>& rects) {
 }
 
 std::optional<bool> Pyramid::onOutcome(const TileWorkers::Outcome& outcome) {
-  const auto work = under_way_.find(outcome.ticket);
-  if (work == under_way_.end()) return std::nullopt;
+  const auto work = in_progress_.find(outcome.ticket);
+  if (work == in_progress_.end()) return std::nullopt;
   const PyramidKey key = work->second;
-  under_way_.erase(work);
+  in_progress_.erase(work);
   const auto found = nodes_.find(key);
   const bool wanted = !outcome.cancelled && found != nodes_.end() && found->second.ticket == outcome.ticket;
   if (found != nodes_.end() && found->second.ticket == outcome.ticket) found->second.ticket = 0;

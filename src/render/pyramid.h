@@ -73,7 +73,7 @@ class Pyramid {
   std::shared_ptr<DenseCache> dense_;
   double base_m_per_px_ = 0;
   std::unordered_map<PyramidKey, Node, KeyHash> nodes_;
-  std::unordered_map<TileWorkers::Ticket, PyramidKey> under_way_;
+  std::unordered_map<TileWorkers::Ticket, PyramidKey> in_progress_;
   std::unordered_map<int, std::size_t> nodes_by_level_;
   std::list<PyramidKey> recent_;  // most recently used first
   std::uint64_t round_ = 1;

@@ -99,7 +99,7 @@ void RasterTiles::changed() {
 TileWorkers::Ticket RasterTiles::start(const TileKey& key, const ViewTile& tile, TileWorkers::Work work,
                                        bool exact, std::uint64_t colors) {
   const TileWorkers::Ticket ticket = workers_.start(tile.urgency(), std::move(work));
-  under_way_[ticket] = {key, raster_, generation_, colors, exact};
+  in_progress_[ticket] = {key, raster_, generation_, colors, exact};
   return ticket;
 }
 
@@ -137,13 +137,13 @@ void RasterTiles::keepWithin(std::size_t budget) {
 
 void RasterTiles::receive(std::vector<TileWorkers::Outcome> outcomes) {
   for (TileWorkers::Outcome& outcome : outcomes) {
-    const auto found = under_way_.find(outcome.ticket);
-    if (found == under_way_.end()) {
+    const auto found = in_progress_.find(outcome.ticket);
+    if (found == in_progress_.end()) {
       onOther(outcome);
       continue;
     }
-    const UnderWay work = found->second;
-    under_way_.erase(found);
+    const WorkInProgress work = found->second;
+    in_progress_.erase(found);
     ViewTile* const tile = work.raster == raster_ ? tiles_.find(work.key) : nullptr;
     const bool awaited = tile && !outcome.cancelled &&
                          (tile->exact_work == outcome.ticket || tile->preview_work == outcome.ticket);

@@ -1,5 +1,5 @@
 // The tiles of one layer for the current view: where they lie, what stands in for them, what memory they take
-// and what is under way. What they show is a subclass's.
+// and what is in progress. What they show is a subclass's.
 #pragma once
 
 #include <atomic>
@@ -88,7 +88,8 @@ class RasterTiles : public QObject {
   const StandIns& standIns() const { return stand_ins_; }
   TileWorkers& workers() { return workers_; }
 
-  /// Other content from now on. Work under way goes on: its tile is better than none, and is made once more.
+  /// Other content from now on. Work in progress goes on: its tile is better than none, and is made once
+  /// more.
   void nextGeneration() { ++generation_; }
   void outdateAll();
   /// There is no content any more.
@@ -105,7 +106,7 @@ class RasterTiles : public QObject {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
-  struct UnderWay {
+  struct WorkInProgress {
     TileKey key;
     std::uint64_t raster = 0, generation = 0, colors = 0;
     bool exact = false;
@@ -123,7 +124,7 @@ class RasterTiles : public QObject {
   StandIns stand_ins_;
   bool active_ = true, announced_ = false, was_settled_ = true;
   std::uint64_t raster_ = 0, generation_ = 1, taken_ = 0, dropped_ = 0;
-  std::unordered_map<TileWorkers::Ticket, UnderWay> under_way_;
+  std::unordered_map<TileWorkers::Ticket, WorkInProgress> in_progress_;
   TileWorkers workers_;  // last: it waits for its work when destroyed
 };
 

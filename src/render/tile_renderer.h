@@ -93,7 +93,7 @@ class TileRenderer : public RasterTiles {
   TileWorkers::Ticket startWork(const TileKey& key, const ViewTile& tile, bool exact, Compose compose);
 
   TextureIndex index_;
-  std::shared_ptr<DenseCache> dense_;  // work under way has it, too
+  std::shared_ptr<DenseCache> dense_;  // work in progress has it, too
   MapColors colors_;
   std::shared_ptr<const ColorTable> color_table_;
   std::uint64_t colors_revision_ = 1;

@@ -176,7 +176,7 @@ std::vector<Tick> Chunks::lengthen(const robot::BagInfo& info) {
     if (until < last) addCells(until, last, last - until, true);
   }
   for (const auto& [from, cell] : cells_) {
-    const bool begun = cell.state == CellState::Read || cell.under_way;
+    const bool begun = cell.state == CellState::Read || cell.in_progress;
     if (begun && secondsOf(cell.until) > settled_s) stale_.insert(from);
   }
   std::vector<Tick> changed(stale_.begin(), stale_.end());
@@ -249,31 +249,31 @@ std::vector<Tick> Chunks::wantedCells() const {
 
 std::vector<Tick> Chunks::next(Millis now) const {
   int free = options_.at_once;
-  for (const auto& [from, cell] : cells_) free -= cell.under_way;
+  for (const auto& [from, cell] : cells_) free -= cell.in_progress;
   std::vector<Tick> ask;
   for (const Tick from : wantedCells()) {
     if (int(ask.size()) >= free) break;
     const Cell& cell = cells_.at(from);
-    if (!cell.under_way && cell.retry_at <= now) ask.push_back(from);
+    if (!cell.in_progress && cell.retry_at <= now) ask.push_back(from);
   }
   return ask;
 }
 
 std::vector<Tick> Chunks::toCancel() const {
   const std::vector<Tick> wanted = wantedCells();
-  std::vector<Tick> cancel, under_way;
+  std::vector<Tick> cancel, in_progress;
   for (const auto& [from, cell] : cells_) {
-    if (!cell.under_way) continue;
-    under_way.push_back(from);
+    if (!cell.in_progress) continue;
+    in_progress.push_back(from);
     if (std::find(wanted.begin(), wanted.end(), from) == wanted.end()) cancel.push_back(from);
   }
   // The most wanted range is requested in any case.
-  const bool waits = !wanted.empty() && !cells_.at(wanted.front()).under_way &&
+  const bool waits = !wanted.empty() && !cells_.at(wanted.front()).in_progress &&
                      cells_.at(wanted.front()).tries == 0 && cancel.empty() &&
-                     int(under_way.size()) >= options_.at_once;
+                     int(in_progress.size()) >= options_.at_once;
   if (waits) {
     const auto rank = [&](Tick from) { return std::find(wanted.begin(), wanted.end(), from); };
-    cancel.push_back(*std::max_element(under_way.begin(), under_way.end(),
+    cancel.push_back(*std::max_element(in_progress.begin(), in_progress.end(),
                                        [&](Tick a, Tick b) { return rank(a) < rank(b); }));
   }
   return cancel;
@@ -314,26 +314,27 @@ std::optional<Millis> Chunks::wakesAt(Millis now) const {
   std::optional<Millis> at;
   for (const Tick from : wantedCells()) {
     const Cell& cell = cells_.at(from);
-    if (!cell.under_way && cell.retry_at > now) at = std::min(at.value_or(cell.retry_at), cell.retry_at);
+    if (!cell.in_progress && cell.retry_at > now) at = std::min(at.value_or(cell.retry_at), cell.retry_at);
   }
   return at;
 }
 
 void Chunks::begun(Tick from) {
   Cell& cell = at(from);
-  cell.under_way = true;
-  if (cell.state == CellState::Unread || cell.state == CellState::Failed) cell.state = CellState::UnderWay;
+  cell.in_progress = true;
+  if (cell.state == CellState::Unread || cell.state == CellState::Failed) cell.state = CellState::InProgress;
 }
 
 void Chunks::cancelled(Tick from) {
   Cell& cell = at(from);
-  cell.under_way = false;
-  if (cell.state == CellState::UnderWay) cell.state = cell.tries > 0 ? CellState::Failed : CellState::Unread;
+  cell.in_progress = false;
+  if (cell.state == CellState::InProgress)
+    cell.state = cell.tries > 0 ? CellState::Failed : CellState::Unread;
 }
 
 void Chunks::read(Tick from, std::size_t bytes, std::size_t messages) {
   Cell& cell = at(from);
-  cell.under_way = false;
+  cell.in_progress = false;
   cell.state = CellState::Read;
   cell.held = true;
   cell.bytes = bytes;
@@ -352,7 +353,7 @@ void Chunks::dropped(Tick from) { at(from).held = false; }
 
 void Chunks::failed(Tick from, const map::Failure& failure, Millis now) {
   Cell& cell = at(from);
-  cell.under_way = false;
+  cell.in_progress = false;
   if (isTooLong(failure) && cell.until - cell.from > 1) {
     split(from, cell.doubtful);
     return;
@@ -401,7 +402,7 @@ bool Chunks::mayDivide(const Cell& cell) const {
 void Chunks::shorten(Tick longest) {
   std::vector<Tick> longer;
   for (const auto& [from, cell] : cells_) {
-    const bool untouched = cell.state == CellState::Unread && !cell.under_way && !cell.beyond;
+    const bool untouched = cell.state == CellState::Unread && !cell.in_progress && !cell.beyond;
     if (untouched && cell.until - cell.from > longest) longer.push_back(from);
   }
   for (const Tick from : longer) {

@@ -58,7 +58,7 @@ using Millis = std::int64_t;
 
 enum class CellState {
   Unread,
-  UnderWay,
+  InProgress,
   Read,    // its effect on later times is known (PrefixIndex); its messages may be in memory or not
   Failed,  // a gap; will be requested again
 };
@@ -67,10 +67,10 @@ enum class CellState {
 struct Cell {
   Tick from = 0, until = 0;
   CellState state = CellState::Unread;
-  bool held = false;       // its messages are in memory
-  bool under_way = false;  // asked for (again)
-  bool beyond = false;     // before the start or after the end stated by the robot
-  bool doubtful = false;   // part of a longer range that the robot refused
+  bool held = false;         // its messages are in memory
+  bool in_progress = false;  // asked for (again)
+  bool beyond = false;       // before the start or after the end stated by the robot
+  bool doubtful = false;     // part of a longer range that the robot refused
   bool lost = false;  // refused, and not to be divided further: a hole. Still requested again now and then
   std::size_t bytes = 0, messages = 0;
   int tries = 0;        // failed attempts in a row

@@ -113,7 +113,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
     std::uint64_t number = 0;
     robot::Call call;
   };
-  std::map<map::GridKind, Picture> pictures_;  // under way
+  std::map<map::GridKind, Picture> pictures_;  // in progress
   std::uint64_t last_picture_ = 0;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };

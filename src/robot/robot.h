@@ -68,7 +68,7 @@ struct Absence {
 
 enum class ConnectionPhase {
   Offline,      // not asked to connect, or told to stop
-  Connecting,   // first attempt under way
+  Connecting,   // first attempt in progress
   Online,       // live messages can arrive
   Interrupted,  // was online or failed to connect; retries automatically
   Refused,      // does not retry automatically (bad secret, not such a robot)

@@ -107,15 +107,15 @@ const map::Failure* Catalogue::noThumbnailReason(const map::MapKey& key) const {
 
 void Catalogue::releaseThumbnails() {
   for (const map::MapKey& key : std::exchange(wanted_, {})) asked_.erase(key);
-  const auto calls = thumbnails_under_way_;  // a cancelled one changes the list
+  const auto calls = thumbnails_in_progress_;  // a cancelled one changes the list
   for (const auto& [key, call] : calls) call.cancel();
 }
 
 void Catalogue::askForThumbnails() {
-  while (source_ && !wanted_.empty() && thumbnails_under_way_.size() < kThumbnailsAtOnce) {
+  while (source_ && !wanted_.empty() && thumbnails_in_progress_.size() < kThumbnailsAtOnce) {
     const map::MapKey key = wanted_.front();
     wanted_.erase(wanted_.begin());
-    thumbnails_under_way_[key] =
+    thumbnails_in_progress_[key] =
         source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Outcome<std::string> answer) {
           if (self) self->onThumbnail(key, std::move(answer));
         });
@@ -123,7 +123,7 @@ void Catalogue::askForThumbnails() {
 }
 
 void Catalogue::onThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer) {
-  thumbnails_under_way_.erase(key);
+  thumbnails_in_progress_.erase(key);
   if (answer) {
     thumbnails_[key] = QByteArray::fromStdString(*answer);
   } else if (answer.error().kind == map::FailureKind::Cancelled) {

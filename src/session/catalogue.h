@@ -67,7 +67,7 @@ class Catalogue : public QObject {
   std::map<map::MapKey, QByteArray> thumbnails_;
   std::set<map::MapKey> asked_;
   std::vector<map::MapKey> wanted_;
-  std::map<map::MapKey, robot::Call> thumbnails_under_way_;
+  std::map<map::MapKey, robot::Call> thumbnails_in_progress_;
   std::map<map::MapKey, map::Failure> no_thumbnail_;
 };
 

@@ -388,7 +388,7 @@ SubmapCounts Submaps::counts() const {
   SubmapCounts counts = tally_.counts();
   counts.list_received = store_.listReceived();
   counts.texture_bytes = still_ ? still_bytes_ : qint64(textureBytes());
-  counts.fetching = scheduler_.underWay();
+  counts.fetching = scheduler_.inProgress();
   counts.queued = scheduler_.queued();
   return counts;
 }

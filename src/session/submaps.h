@@ -117,7 +117,7 @@ class Submaps : public QObject {
   std::set<map::SubmapId> lost_;
   std::unordered_map<map::SubmapId, std::int32_t>
       asked_again_;                           // the version requested again after it could not be decoded
-  std::size_t decodes_ = 0;                   // under way
+  std::size_t decodes_ = 0;                   // in progress
   std::optional<map::SubmapList> next_list_;  // waits to be compared
   bool comparing_ = false;
   quint64 comparison_ = 0;  // results with another number are outdated

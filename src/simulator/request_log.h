@@ -18,9 +18,9 @@ class RequestLog {
   /// A request has arrived. The number identifies its entry for finish().
   std::uint64_t begin(RequestRecord record, bool is_submap) {
     const std::lock_guard lock(mutex_);
-    if (is_submap) ++submaps_under_way_;
+    if (is_submap) ++submaps_in_progress_;
     record.at_s = seconds();
-    record.concurrent = submaps_under_way_;
+    record.concurrent = submaps_in_progress_;
     records_.push_back(std::move(record));
     if (records_.size() > kMostRecords) {
       records_.pop_front();
@@ -31,7 +31,7 @@ class RequestLog {
   /// Its last byte was written, or it was given up (status 0).
   void finish(std::uint64_t number, bool is_submap, int status, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    if (is_submap) --submaps_under_way_;
+    if (is_submap) --submaps_in_progress_;
     if (number < first_) return;
     RequestRecord& record = records_[static_cast<std::size_t>(number - first_)];
     record.until_s = seconds();
@@ -59,7 +59,7 @@ class RequestLog {
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::deque<RequestRecord> records_;
   std::uint64_t first_ = 0;  // number of records_.front()
-  int submaps_under_way_ = 0;
+  int submaps_in_progress_ = 0;
 };
 
 /// One entry of the log: finished once, at the latest by the destructor.

@@ -201,12 +201,12 @@ struct Options {
 /// topic as method and target; status 200, 400 (result:false), 503 (refused on request), 0 (no answer).
 struct RequestRecord {
   double at_s = 0;      // real seconds since start
-  double until_s = -1;  // when the answer was written or given up; -1 while under way
+  double until_s = -1;  // when the answer was written or given up; -1 while in progress
   std::string method;
   std::string target;       // path and query
   int status = 0;           // 0: dropped without an answer
   std::size_t bytes = 0;    // body sent
-  int concurrent = 0;       // requests to /ros/slam/submaps/ under way, this one included, when it came
+  int concurrent = 0;       // requests to /ros/slam/submaps/ in progress, this one included, when it came
   bool had_secret = false;  // a Secret header was present (its value is not kept)
   std::string if_none_match;
 };

@@ -173,7 +173,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   }
 
   void watchPeer() {
-    // A client that hangs up while it waits is no request under way any more.
+    // A client that hangs up while it waits is no request in progress any more.
     stream_.socket().async_wait(Socket::wait_read, [self = shared_from_this()](ErrorCode error) {
       if (error) return;
       char byte = 0;

@@ -34,8 +34,8 @@ FetchState FetchScheduler::stateOf(const Request& request) {
   return open(request) ? FetchState::Queued : FetchState::Idle;
 }
 
-bool FetchScheduler::isUnderWay(map::SubmapId id) const {
-  return std::any_of(under_way_.begin(), under_way_.end(),
+bool FetchScheduler::isInProgress(map::SubmapId id) const {
+  return std::any_of(in_progress_.begin(), in_progress_.end(),
                      [&](const map::SubmapKey& key) { return key.id == id && key.uuid == uuid_; });
 }
 
@@ -60,8 +60,8 @@ void FetchScheduler::file(map::SubmapId id, Request& request) {
   } else if (!troubled_.empty()) {
     troubled_.erase(id);
   }
-  // One that left the list and came back while its query was still under way waits for that one's end.
-  if (!open(request) || isUnderWay(id)) return;
+  // One that left the list and came back while its query was still in progress waits for that one's end.
+  if (!open(request) || isInProgress(id)) return;
   if (request.not_before > now_) {
     request.resting = true;
     rests_.emplace(request.not_before, id);
@@ -96,7 +96,7 @@ std::vector<map::SubmapId> FetchScheduler::listArrived() {
     change(requests_.find(id), [](Request& request) { request.waits_for_list = false; });
   waits_for_list_.clear();
   // What nobody has seen yet comes first.
-  if (queued_ > 0 || !under_way_.empty()) return ready;
+  if (queued_ > 0 || !in_progress_.empty()) return ready;
   const std::vector<map::SubmapId> troubled(troubled_.begin(), troubled_.end());
   for (const map::SubmapId id : troubled) {
     const auto at = requests_.find(id);
@@ -178,7 +178,7 @@ std::vector<map::SubmapKey> FetchScheduler::take(Millis now) {
   while (!rests_.empty() && rests_.begin()->first <= now) {
     change(requests_.find(rests_.begin()->second), [](Request&) {});
   }
-  while (underWay() < options_.max_concurrent) {
+  while (inProgress() < options_.max_concurrent) {
     const auto id = line_.take();
     if (!id) break;
     const auto it = requests_.find(*id);
@@ -188,13 +188,13 @@ std::vector<map::SubmapKey> FetchScheduler::take(Millis now) {
       request.failed = false;
     });
     keys.push_back({uuid_, *id, it->second.wanted});
-    under_way_.push_back(keys.back());
+    in_progress_.push_back(keys.back());
   }
   return keys;
 }
 
 std::optional<Millis> FetchScheduler::nextDue(Millis now) const {
-  if (uuid_.empty() || underWay() >= options_.max_concurrent) return std::nullopt;
+  if (uuid_.empty() || inProgress() >= options_.max_concurrent) return std::nullopt;
   if (line_.size() > 0) return now;
   if (rests_.empty()) return std::nullopt;
   return std::max(rests_.begin()->first, now);
@@ -203,9 +203,9 @@ std::optional<Millis> FetchScheduler::nextDue(Millis now) const {
 void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::int32_t answered_version,
                               Millis now) {
   now_ = std::max(now_, now);
-  const auto sent = std::find(under_way_.begin(), under_way_.end(), key);
-  if (sent == under_way_.end()) return;
-  under_way_.erase(sent);
+  const auto sent = std::find(in_progress_.begin(), in_progress_.end(), key);
+  if (sent == in_progress_.end()) return;
+  in_progress_.erase(sent);
   if (key.uuid != uuid_) return;
   const auto it = requests_.find(key.id);
   if (it == requests_.end()) return;
@@ -260,7 +260,7 @@ int FetchScheduler::failures(map::SubmapId id) const {
 }
 
 bool FetchScheduler::settled(int tries) const {
-  return under_way_.empty() && queued_ == 0 && (failing_.empty() || failing_.begin()->first >= tries);
+  return in_progress_.empty() && queued_ == 0 && (failing_.empty() || failing_.begin()->first >= tries);
 }
 
 }  // namespace mapwright::submap

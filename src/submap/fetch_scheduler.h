@@ -79,7 +79,7 @@ class FetchScheduler {
 
   FetchState state(map::SubmapId id) const;
   int failures(map::SubmapId id) const;  // in a row
-  int underWay() const { return int(under_way_.size()); }
+  int inProgress() const { return int(in_progress_.size()); }
   int queued() const { return queued_; }
   /// Nothing more can be loaded without retrying what failed at least `tries` times.
   bool settled(int tries) const;
@@ -105,7 +105,7 @@ class FetchScheduler {
   static bool missing(const Request& request);
   static bool open(const Request& request);
   static FetchState stateOf(const Request& request);
-  bool isUnderWay(map::SubmapId id) const;
+  bool isInProgress(map::SubmapId id) const;
   void unfile(map::SubmapId id, Request& request);
   void file(map::SubmapId id, Request& request);
   template <typename Change>
@@ -114,7 +114,7 @@ class FetchScheduler {
   SchedulerOptions options_;
   std::string uuid_;
   Requests requests_;
-  std::vector<map::SubmapKey> under_way_;
+  std::vector<map::SubmapKey> in_progress_;
   NearestFirst line_;                                 // open, and can be requested as far as known
   std::set<std::pair<Millis, map::SubmapId>> rests_;  // open, but not before that time
   std::unordered_set<map::SubmapId> troubled_;        // had a failure or a 404

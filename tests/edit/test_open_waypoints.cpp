@@ -195,7 +195,7 @@ class TestOpenWaypoints : public QObject {
     QVERIFY(desk.list->unsaved());
   }
 
-  void aRobotThatIsGoneLeavesDoubtOfWhatWasUnderWay() {
+  void aRobotThatIsGoneLeavesDoubtOfWhatWasInProgress() {
     Desk desk(Way::OneByOne);
     READY(desk);
     desk.move("a", 1);

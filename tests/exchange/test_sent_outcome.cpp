@@ -75,8 +75,8 @@ class SentOutcomeTest : public QObject {
              QStringLiteral("The robot accepted the change, but it has no effect."));
   }
 
-  void whatIsUnderWayIsNotKnownYet() {
-    const SentOutcome told = exchange::answered({{}, Row::State::UnderWay});
+  void whatIsInProgressIsNotKnownYet() {
+    const SentOutcome told = exchange::answered({{}, Row::State::InProgress});
     QCOMPARE(told.state, SentState::Unknown);
     QVERIFY(exchange::sentenceOf(told).startsWith(kNotKnown));
     QCOMPARE(exchange::answered({{}, Row::State::Waiting}).state, SentState::NotSent);

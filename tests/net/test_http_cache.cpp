@@ -378,15 +378,15 @@ class TestHttpCache : public QObject {
 
   void whatIsRemovedIsNotWrittenAfterwards() {
     SlowDisk disk;
-    const QUrl under_way = numbered(1), waits = numbered(2), again = numbered(3), old = numbered(4);
+    const QUrl in_progress = numbered(1), waits = numbered(2), again = numbered(3), old = numbered(4);
     open().store(old, "old", {}, "immutable", {}, true);
     HttpCache cache(
         folder_->path(), 1 << 20, [this] { return now_; }, disk.write());
-    cache.store(under_way, "one", {}, "immutable", {}, true);
+    cache.store(in_progress, "one", {}, "immutable", {}, true);
     disk.begun.acquire();
     cache.store(waits, "two", {}, "immutable", {}, true);
     cache.store(again, "three", {}, "immutable", {}, true);
-    for (const QUrl& url : {under_way, waits, again, old}) {
+    for (const QUrl& url : {in_progress, waits, again, old}) {
       cache.remove(url);
       QVERIFY(!cache.find(url));
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kPatienceMs = 20'000;
 
-/// One request under way.
+/// One request in progress.
 struct Asked {
   std::optional<HttpAnswer> answer;
   int replies = 0;
@@ -309,7 +309,7 @@ class TestHttpChanges : public QObject {
     QVERIFY(answer.sent);
   }
 
-  void aClientThatGoesWithItsThreadLeavesNothingOfWhatIsUnderWay() {
+  void aClientThatGoesWithItsThreadLeavesNothingOfWhatIsInProgress() {
     const int before = networkThreads();
     ScriptedServer silent([](const SeenRequest&) { return QByteArray(); });
     QThread thread;

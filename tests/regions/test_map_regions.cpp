@@ -194,7 +194,7 @@ class TestMapRegions : public QObject {
     options.plan.most_in_view = 24;
     options.budget_bytes = std::size_t(12) << 20;
     MapRegions regions(options);
-    std::vector<RegionRequest> under_way;
+    std::vector<RegionRequest> in_progress;
     std::set<std::uint64_t> cancelled;
     Millis now = kStart;
     Eigen::Vector2d at(0, 0);
@@ -202,20 +202,20 @@ class TestMapRegions : public QObject {
     int failures = 0;
     const auto step = [&](bool may_fail) {
       for (const RegionRequest& ask : regions.take(now)) {
-        for (const RegionRequest& other : under_way)
+        for (const RegionRequest& other : in_progress)
           QVERIFY(other.is_first || other.key != ask.key || cancelled.contains(other.id));
         // What has an answer of this round is not asked for.
-        under_way.push_back(ask);
+        in_progress.push_back(ask);
         if (ask.is_first) continue;
         QVERIFY(!regions.plan().row(ask.key).answered);
         QVERIFY(regions.plan().inView().contains(ask.key));
       }
-      QVERIFY(int(under_way.size()) <= options.plan.most_under_way);
+      QVERIFY(int(in_progress.size()) <= options.plan.most_in_progress);
       for (const std::uint64_t id : regions.unwanted()) cancelled.insert(id);
-      if (under_way.empty()) return;
-      const std::size_t which = random() % under_way.size();
-      const RegionRequest ask = under_way[which];
-      under_way.erase(under_way.begin() + std::ptrdiff_t(which));
+      if (in_progress.empty()) return;
+      const std::size_t which = random() % in_progress.size();
+      const RegionRequest ask = in_progress[which];
+      in_progress.erase(in_progress.begin() + std::ptrdiff_t(which));
       if (cancelled.contains(ask.id) && number(0, 1) < 0.5) {
         regions.answered(ask.id, tl::unexpected(map::Failure{.kind = map::FailureKind::Cancelled}), now);
       } else if (may_fail && number(0, 1) < 0.15) {
@@ -244,7 +244,7 @@ class TestMapRegions : public QObject {
     QVERIFY2(most_bytes <= options.budget_bytes + (std::size_t(14) << 20),
              qPrintable(QString::number(most_bytes)));
     QVERIFY(failures > 0);
-    for (int i = 0; i < 2000 && !(regions.plan().settled(1'000) && under_way.empty()); ++i) {
+    for (int i = 0; i < 2000 && !(regions.plan().settled(1'000) && in_progress.empty()); ++i) {
       now += Millis(10'000);
       step(false);
       if (QTest::currentTestFailed()) return;

@@ -83,7 +83,7 @@ class TestRegionPlan : public QObject {
     QVERIFY(one.unwanted().empty());
     // It goes on counting until it has ended: the robot goes on reckoning.
     QCOMPARE(one.take(kNow).size(), std::size_t(1));
-    QCOMPARE(one.underWay(), 2);
+    QCOMPARE(one.inProgress(), 2);
     one.cancelled(asks[0].id);
     QCOMPARE(one.row({0, 0}).state(), RegionState::NotAsked);
     one.setView(geometry::WorldRect{1, 1, 9, 9}, {5, 5});

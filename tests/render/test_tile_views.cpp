@@ -169,7 +169,7 @@ void TestTileViews::theCentreComesFirst() {
 }
 
 void TestTileViews::whatIsNoLongerWantedIsDropped() {
-  // Snapshots of huge pixels take long per tile, so that work is certainly under way when the view changes.
+  // Snapshots of huge pixels take long per tile, so that work is certainly in progress when the view changes.
   TileRenderer renderer({.workers = std::make_shared<work::Workers>(1), .previews = false});
   const auto placed = field(300, 200);
   renderer.upsert(placed);

@@ -259,9 +259,9 @@ class BagRobot : public QObject, public robot::BagLibrary {
     ranges.push_back(range);
     most_at_once = std::max(most_at_once, ++at_once);
     auto state = std::make_shared<robot::Call::State>();
-    const auto under_way = std::make_shared<bool>(true);
-    const auto leave = [this, under_way] {
-      if (std::exchange(*under_way, false)) --at_once;
+    const auto counted = std::make_shared<bool>(true);
+    const auto leave = [this, counted] {
+      if (std::exchange(*counted, false)) --at_once;
     };
     const auto end = [state, leave, reply](const robot::Outcome<robot::BagChunkPtr>& outcome) {
       if (std::exchange(state->over, true)) return;

@@ -284,7 +284,7 @@ class ReplayWorldTest : public QObject {
     player.reading.want(bag[1800].stamp_s);
     player.reading.want(bag[100].stamp_s);
     const Cell* here = player.reading.chunks().cellAt(bag[100].stamp_s);
-    QVERIFY(here->under_way);
+    QVERIFY(here->in_progress);
     QVERIFY(robot.cancelled >= 2);
     robot.release();
     QVERIFY(player.exactly(bag[100].stamp_s).at.world == foldedUntil(bag, bag[100].stamp_s));

@@ -418,7 +418,7 @@ class FileRobotTest : public QObject {
     const auto robot = open(QStringLiteral("office.yaml"));
     robot->connectToRobot();
     robot->disconnectFromRobot();
-    QVERIFY(fetch(*robot).has_value());  // asked after the look that was under way
+    QVERIFY(fetch(*robot).has_value());  // asked after the look that was in progress
     QCOMPARE(robot->connection().phase, ConnectionPhase::Offline);
   }
 

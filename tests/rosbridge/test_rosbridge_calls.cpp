@@ -303,7 +303,7 @@ class TestRosbridgeCalls : public QObject {
     QTRY_COMPARE(odd, QList<Oddity>{Oddity::UnknownCall});
   }
 
-  void onlySoManyAreUnderWay() {
+  void onlySoManyAreInProgress() {
     RosbridgeServer server;
     ClientOptions options = quick();
     options.calls_at_once = 3;
@@ -410,7 +410,7 @@ class TestRosbridgeCalls : public QObject {
     QVERIFY(!replies.all[1].sent);
   }
 
-  void aLostConnectionEndsWhatIsUnderWay() {
+  void aLostConnectionEndsWhatIsInProgress() {
     RosbridgeServer server;
     ClientOptions options = quick();
     options.calls_at_once = 1;

@@ -861,7 +861,7 @@ class SessionMapsTest : public QObject {
     goOnline();
     robot_->answerList({FakeRobot::entry("1")});
     session_->catalogue().refresh();
-    session_->catalogue().refresh();  // while one is under way: once more after it
+    session_->catalogue().refresh();  // while one is in progress: once more after it
     QCOMPARE(robot_->lists.size(), std::size_t(1));
     auto replies = std::exchange(robot_->lists, {});
     replies[0](tl::make_unexpected(test::failed("The robot answered 500.")));

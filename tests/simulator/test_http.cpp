@@ -204,7 +204,7 @@ class TestHttp : public QObject {
     QVERIFY(robot.requestLog().empty());
   }
 
-  void theLogCountsRequestsThatAreUnderWayTogether() {
+  void theLogCountsRequestsThatAreInProgressTogether() {
     Options options = paused();
     options.faults.requests.push_back(
         {FaultKind::Delay, kSubmaps, 1, 60'000});  // nothing is answered while this test looks
@@ -228,7 +228,7 @@ class TestHttp : public QObject {
     for (const RequestRecord& record : robot.requestLog()) QVERIFY(record.until_s >= 0);
   }
 
-  void aClientThatHangsUpIsNoLongerUnderWay() {
+  void aClientThatHangsUpIsNoLongerInProgress() {
     Options options = paused();
     options.faults.requests.push_back({FaultKind::Delay, kSubmaps, 1, 60'000});
     Running robot(options);

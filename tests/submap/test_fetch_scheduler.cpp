@@ -34,14 +34,14 @@ class FetchSchedulerTest : public QObject {
     QVERIFY(scheduler.take(ms(0)).empty());
   }
 
-  void atMostFourAreUnderWay() {
+  void atMostFourAreInProgress() {
     FetchScheduler scheduler = ready(10);
     const auto first = scheduler.take(ms(0));
     QCOMPARE(first.size(), std::size_t(4));
     QVERIFY(scheduler.take(ms(0)).empty());
     scheduler.answered(first[1], Outcome::Ok, 1, ms(1));
     QCOMPARE(scheduler.take(ms(1)).size(), std::size_t(1));
-    QCOMPARE(scheduler.underWay(), 4);
+    QCOMPARE(scheduler.inProgress(), 4);
   }
 
   void everyKeyGoesOutOnce() {
@@ -240,7 +240,7 @@ class FetchSchedulerTest : public QObject {
     options.max_concurrent = 6;
     FetchScheduler scheduler(options);
     scheduler.setUuid("u");
-    std::vector<SubmapKey> under_way;
+    std::vector<SubmapKey> in_progress;
     const Outcome outcomes[] = {Outcome::Ok, Outcome::NotFound, Outcome::WrongUuid, Outcome::Failed,
                                 Outcome::Cancelled};
     std::set<SubmapId> wanted;
@@ -271,17 +271,17 @@ class FetchSchedulerTest : public QObject {
           scheduler.setView({0, 0, 100, 100}, {double(random() % 300), 0});
           break;
         default:
-          if (!under_way.empty()) {
-            const std::size_t which = random() % under_way.size();
-            scheduler.answered(under_way[which], outcomes[random() % 5], int(random() % 4), now);
-            under_way.erase(under_way.begin() + std::ptrdiff_t(which));
+          if (!in_progress.empty()) {
+            const std::size_t which = random() % in_progress.size();
+            scheduler.answered(in_progress[which], outcomes[random() % 5], int(random() % 4), now);
+            in_progress.erase(in_progress.begin() + std::ptrdiff_t(which));
           }
       }
       if (random() % 2 == 0) {
-        for (const SubmapKey& key : scheduler.take(now)) under_way.push_back(key);
+        for (const SubmapKey& key : scheduler.take(now)) in_progress.push_back(key);
       }
       int queued = 0;
-      bool settled_1 = scheduler.underWay() == 0, settled_3 = settled_1;
+      bool settled_1 = scheduler.inProgress() == 0, settled_3 = settled_1;
       for (const SubmapId one : wanted) {
         const FetchState state = scheduler.state(one);
         queued += state == FetchState::Queued;
@@ -292,7 +292,7 @@ class FetchSchedulerTest : public QObject {
       QCOMPARE(scheduler.queued(), queued);
       QCOMPARE(scheduler.settled(1), settled_1);
       QCOMPARE(scheduler.settled(3), settled_3);
-      QCOMPARE(scheduler.underWay(), int(under_way.size()));
+      QCOMPARE(scheduler.inProgress(), int(in_progress.size()));
     }
   }
 

@@ -197,7 +197,7 @@ class TestPictureEditing : public QObject {
     QCOMPARE(desk.editing.changedCells(), std::int64_t(101));
   }
 
-  void undoingAndEscEndWhatIsUnderWay() {
+  void undoingAndEscEndWhatIsInProgress() {
     Desk desk;
     desk.editing.setKind(Kind::Occupied);
     desk.editing.drawRectangle({0, 0, 10, 10});

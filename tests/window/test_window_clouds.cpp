@@ -279,7 +279,7 @@ class TestWindowClouds : public QObject {
     QVERIFY(desk.dock().viewButton()->isEnabled());
   }
 
-  void oneRequestIsUnderWayAtATimeAndCanBeCancelled() {
+  void oneRequestIsInProgressAtATimeAndCanBeCancelled() {
     Desk desk;
     desk.open();
     desk.dock().show();

@@ -386,7 +386,7 @@ class TestWindowWaypointsReview : public QObject {
     QTest::keyClick(place, Qt::Key_Return);
     QTRY_COMPARE(desk.store.asked.size(), std::size_t(1));
     QVERIFY(desk.review().isVisible());
-    // Once more, and Space: what is under way is not cancelled by a button that the focus has hopped to.
+    // Once more, and Space: what is in progress is not cancelled by a button that the focus has hopped to.
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space})
       QTest::keyClick(desk.review().focusWidget() ? desk.review().focusWidget() : &desk.review(), key);
     QCOMPARE(desk.outcome(0), QStringLiteral("in progress…"));

@@ -99,11 +99,11 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   rows->addWidget(question_);
   column->addWidget(asking_);
 
-  under_way_ = new QWidget(body_);
-  progress_ = new PlainLabel(under_way_);
-  cancel_ = compactButton(tr("Cancel"), under_way_);
-  under_way_->setLayout(rowOf({{progress_, 1}, cancel_}, -1, QMargins()));
-  column->addWidget(under_way_);
+  progress_row_ = new QWidget(body_);
+  progress_ = new PlainLabel(progress_row_);
+  cancel_ = compactButton(tr("Cancel"), progress_row_);
+  progress_row_->setLayout(rowOf({{progress_, 1}, cancel_}, -1, QMargins()));
+  column->addWidget(progress_row_);
   outcome_ = textLabel({}, body_);
   column->addWidget(outcome_);
 
@@ -187,7 +187,7 @@ void CloudsDock::setOffer(const CloudOffer& offer) {
 void CloudsDock::setProgress(const QString& words) {
   busy_ = !words.isEmpty();
   progress_->setText(words);
-  under_way_->setVisible(busy_);
+  progress_row_->setVisible(busy_);
   if (busy_) question_->hide();
   refresh();
 }

@@ -85,7 +85,7 @@ class CloudsDock : public QDockWidget {
   void refresh();
 
   QLabel *absence_, *outcome_ = nullptr, *counts_ = nullptr;
-  QWidget *body_, *asking_ = nullptr, *question_ = nullptr, *under_way_ = nullptr;
+  QWidget *body_, *asking_ = nullptr, *question_ = nullptr, *progress_row_ = nullptr;
   QComboBox *kind_ = nullptr, *shape_ = nullptr, *color_ = nullptr;
   QDoubleSpinBox *ask_low_ = nullptr, *ask_high_ = nullptr, *low_ = nullptr, *high_ = nullptr,
                  *size_ = nullptr, *voxel_ = nullptr;

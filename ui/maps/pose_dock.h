@@ -28,7 +28,7 @@ class PoseDock : public QDockWidget {
   /// Why nothing can be set at present; empty if it can.
   void setObstacle(const QString& why);
   void setPlacing(bool on);
-  /// A request is under way: `said` tells of it.
+  /// A request is in progress: `said` tells of it.
   void setWaiting(bool waiting, const QString& said = {});
   enum class Outcome { Well, Odd, Bad };
   /// What came of it. `confirmable`: the robot asks whether it is so.

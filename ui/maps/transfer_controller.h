@@ -60,7 +60,7 @@ class TransferController : public Controller {
   void upload(const QString& folder, bool as_new = false);
   /// Asks for the place of this picture.
   void create(const QString& path);
-  TransferDialog* dialog() const { return dialog_; }       // null: none is under way
+  TransferDialog* dialog() const { return dialog_; }       // null: none is in progress
   NewMapDialog* newMapDialog() const { return new_map_; }  // likewise
 
  private:

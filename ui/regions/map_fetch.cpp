@@ -53,7 +53,7 @@ Notice MapFetch::notice() {
                 .arg(countText(counts.answered), countText(counts.in_view)),
             tr("Cancel"), [this] { stop(); }};
   }
-  if (whole_under_way_) {
+  if (whole_in_progress_) {
     const auto extent = dispatch_ ? dispatch_->extent() : std::nullopt;
     return {Mark::Busy, wholeProgressText(whole_bytes_, whole_began_.elapsed() / 1000, extent), tr("Cancel"),
             [this] { stop(); }};
@@ -67,7 +67,7 @@ void MapFetch::stop() {
   ++job_;
   whole_.cancel();
   whole_ = {};
-  whole_under_way_ = false;
+  whole_in_progress_ = false;
   every_second_.stop();
   if (fetch_) fetch_.release()->deleteLater();  // it may be emitting just now
   export_.reset();
@@ -109,7 +109,7 @@ void MapFetch::refuseWhole(const QString& why) {
 void MapFetch::startWhole() {
   if (!dispatch_) return;
   stop();
-  whole_under_way_ = true;
+  whole_in_progress_ = true;
   whole_bytes_ = 0;
   whole_began_.start();
   every_second_.start();
@@ -126,7 +126,7 @@ void MapFetch::startWhole() {
 }
 
 void MapFetch::endWhole(const robot::Outcome<map::GridPart>& outcome) {
-  whole_under_way_ = false;
+  whole_in_progress_ = false;
   every_second_.stop();
   whole_ = {};
   if (!outcome) {

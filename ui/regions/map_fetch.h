@@ -31,7 +31,7 @@ class MapFetch : public QObject {
   /// The dispatcher, and what is known of its map; both null: none. Cancels the request in progress.
   void setDispatch(robot::MapDispatch* dispatch, const regions::RegionMap* map);
 
-  bool busy() const { return fetch_ || whole_under_way_; }
+  bool busy() const { return fetch_ || whole_in_progress_; }
   /// The notice about it; an empty sentence while nothing is fetched.
   Notice notice();
   QMessageBox* question() const { return question_; }  // null = none is open
@@ -78,7 +78,7 @@ class MapFetch : public QObject {
   Then then_ = Then::Show;
   QString path_;
   robot::Call whole_;
-  bool whole_under_way_ = false;
+  bool whole_in_progress_ = false;
   qint64 whole_bytes_ = 0;  // received so far
   QElapsedTimer whole_began_;
   QTimer every_second_;

@@ -44,8 +44,8 @@ TimelineRange rangeOf(const replay::Cell& cell) {
     range.why = words::plainName(sentences::sentenceOf(cell.failure));
   } else if (cell.state == replay::CellState::Read) {
     range.state = cell.held ? RangeState::Held : RangeState::Read;
-  } else if (cell.under_way) {
-    range.state = RangeState::UnderWay;
+  } else if (cell.in_progress) {
+    range.state = RangeState::InProgress;
   }
   return range;
 }

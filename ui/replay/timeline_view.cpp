@@ -385,7 +385,7 @@ void TimelineView::paintRanges(QPainter& painter, const Rows& rows) const {
     switch (range.state) {
       case RangeState::Unread:
         break;
-      case RangeState::UnderWay:
+      case RangeState::InProgress:
         painter.fillRect(part, QBrush(colors.accent, Qt::BDiagPattern));
         break;
       case RangeState::Read:

@@ -16,7 +16,7 @@
 
 namespace mapwright::window {
 
-enum class RangeState { Unread, UnderWay, Read, Held, Failed };
+enum class RangeState { Unread, InProgress, Read, Held, Failed };
 
 struct TimelineRange {
   double from_s = 0, until_s = 0;

@@ -153,7 +153,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
   if (!follows_) return plannedOutcome(row);
   const auto& sent = list_->submission().rows()[std::size_t(row)];
   if (sent.state == State::Waiting) return {Mark::Neutral, tr("waiting")};
-  if (sent.state == State::UnderWay) return {Mark::Busy, tr("in progress…")};
+  if (sent.state == State::InProgress) return {Mark::Busy, tr("in progress…")};
   const exchange::SentOutcome outcome = outcomeOf(*list_, sent);
   switch (outcome.state) {
     case exchange::SentState::Applied:

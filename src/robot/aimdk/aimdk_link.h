@@ -120,7 +120,7 @@ class AimdkLink : public wire::RobotLink {
   net::HttpClient http_;
   QTimer timer_;    // until the next try, or the next poll; or it is online without the answer to the probe
   QTimer healthy_;  // while online, until it counts as healthy
-  QTimer quiet_;    // while a poll is under way, until it takes longer than is usual here
+  QTimer quiet_;    // while a poll is in progress, until it takes longer than is usual here
   net::Backoff backoff_;
   bool wanted_ = false;
   net::HttpClient::RequestId asking_ = 0;   // the connection's own request in progress

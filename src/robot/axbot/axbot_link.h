@@ -122,7 +122,7 @@ class AxbotLink : public wire::RobotLink {
   QTimer list_timer_, subscribe_timer_, older_timer_, again_timer_;
   map::Streams streams_;                 // that are wanted
   QStringList topics_;                   // that are wanted by name
-  QStringList held_;                     // that are needed for a request under way
+  QStringList held_;                     // that are needed for a request in progress
   std::optional<double> robot_ahead_s_;  // of the clock here, by the newest stamp
   map::Streams older_;  // streams whose older names are subscribed as well on this connection
   std::map<std::string, int> heard_topics_;  // number of messages on this connection

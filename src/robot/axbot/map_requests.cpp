@@ -310,9 +310,9 @@ void MapRequests::fetchOverview(const Task& task, double resolution_m, OutcomeTo
 }
 
 void GridFetcher::fetch(GridToFetch wanted) {
-  const auto under_way = jobs_.find(wanted.grid.topic);
-  if (under_way != jobs_.end()) {
-    under_way->second.next = std::move(wanted);
+  const auto running = jobs_.find(wanted.grid.topic);
+  if (running != jobs_.end()) {
+    running->second.next = std::move(wanted);
   } else {
     start(wanted);
   }

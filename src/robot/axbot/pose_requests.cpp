@@ -46,16 +46,16 @@ map::Failure cancelled() {
 }  // namespace
 
 void PoseRequests::begin() {
-  if (++under_way_ == 1)
+  if (++in_progress_ == 1)
     hold_({QStringLiteral("/tracked_pose"), QStringLiteral("/global_positioning_state")});
 }
 
 void PoseRequests::end() {
-  if (--under_way_ == 0) hold_({});
+  if (--in_progress_ == 0) hold_({});
 }
 
 void PoseRequests::hear(const map::TopicMessage& message) {
-  if (under_way_ == 0) return;
+  if (in_progress_ == 0) return;
   if (const auto* pose = std::get_if<map::TrackedPose>(&message)) {
     pose_ = pose->pose;
   } else if (const auto* result = std::get_if<map::GlobalPositioning>(&message)) {

@@ -45,7 +45,7 @@ class PoseRequests {
   const std::function<void(const QStringList&)> hold_;
   const Patience patience_;
   wire::WaitList waits_;
-  int under_way_ = 0;
+  int in_progress_ = 0;
   std::optional<geometry::Pose2> pose_;           // the last one since a request began, or was answered
   std::optional<map::GlobalPositioning> result_;  // the last one, whatever it is of
   bool searching_ = false;                        // it reported that since a request was sent

@@ -88,7 +88,7 @@ class DispatchRequests : public QObject {
     std::set<int> awaited;                // not heard since
     std::vector<map::Projection> wanted;  // what has been set before, where something has
     bool changed = false;                 // something has been set before
-    bool answered = true;                 // false: its call is under way
+    bool answered = true;                 // false: its call is in progress
     bool looked = true;                   // false: which topics there are now is being asked
     bool listed = false;                  // it is asked for by people: that nobody can tell is a failure
   };

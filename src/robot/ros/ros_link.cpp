@@ -76,7 +76,7 @@ RosLink::RosLink(LinkOptions options)
 }
 
 RosLink::~RosLink() {
-  // What is under way must not reach a half-destroyed object.
+  // What is in progress must not reach a half-destroyed object.
   client_->disconnect(this);
   subscriptions_.disconnect(this);
   live_map_.disconnect(this);

@@ -23,7 +23,7 @@ namespace {
 constexpr int kPatienceMs = 20'000;
 constexpr std::chrono::milliseconds kShort{300};
 
-/// One question under way.
+/// One question in progress.
 struct Asked {
   explicit Asked(const Question& question) : name(question.name) {
     call = question.ask([this](Ended how) {
@@ -45,7 +45,7 @@ struct Asked {
   Ended ended;
 };
 
-/// Whatever may still be under way has had its chance.
+/// Whatever may still be in progress has had its chance.
 void settle() {
   for (int times = 0; times < 50; ++times) QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
 }
