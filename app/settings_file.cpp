@@ -63,10 +63,10 @@ std::unique_ptr<QSettings> openSettingsIn(const QString& folder) {
   const QFileInfo file(folder + QStringLiteral("/mapwright.json"));
   const QFileInfo older(folder + QStringLiteral("/mapwright.ini"));
   // A named pipe would block; nothing can be stored below a device.
-  const bool in_the_way = file.exists() && !file.isFile();
-  if (!in_the_way) disk::makePrivateFolder(QFile::encodeName(folder).toStdString());
+  const bool blocked = file.exists() && !file.isFile();
+  if (!blocked) disk::makePrivateFolder(QFile::encodeName(folder).toStdString());
   auto settings = std::make_unique<QSettings>(
-      in_the_way ? QStringLiteral("/dev/null/mapwright.json") : file.filePath(), format);
+      blocked ? QStringLiteral("/dev/null/mapwright.json") : file.filePath(), format);
   if (!file.exists() && older.isFile()) {
     const QSettings before(older.filePath(), QSettings::IniFormat);
     for (const QString& key : before.allKeys()) settings->setValue(key, before.value(key));

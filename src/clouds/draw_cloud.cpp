@@ -205,12 +205,12 @@ void addPoints(Sums& sums, const Raster& raster, const ShownCloud& cloud, const 
   walk(
       tree,
       [&](const CloudNode& node) {
-        if (stopped(cancelled)) return Way::Skip;
+        if (stopped(cancelled)) return Visit::Skip;
         const auto reach = pixels.reach(node.min[0], node.min[1], node.max[0], node.max[1]);
-        if (!sums.touches(reach)) return Way::Skip;
-        const Way way = meant.of(node);
+        if (!sums.touches(reach)) return Visit::Skip;
+        const Visit visit = meant.of(node);
         const bool one_pixel = reach.column0 == reach.column1 && reach.row0 == reach.row1;
-        return way == Way::Whole && !one_pixel ? Way::Into : way;
+        return visit == Visit::Whole && !one_pixel ? Visit::Into : visit;
       },
       [&](const CloudNode& node) {
         const auto reach = pixels.reach(node.min[0], node.min[1], node.max[0], node.max[1]);
@@ -259,14 +259,14 @@ bool addVoxels(Sums& sums, const Raster& raster, const ShownCloud& cloud, const 
   walk(
       tree,
       [&](const CloudNode& node) {
-        if (stopped(cancelled)) return Way::Skip;
+        if (stopped(cancelled)) return Visit::Skip;
         const auto reach = pixels.reach(double(node.min[0]) - margin, double(node.min[1]) - margin,
                                         double(node.max[0]) + margin, double(node.max[1]) + margin);
-        if (!sums.touches(reach)) return Way::Skip;
-        const Way way = meant.of(node);
+        if (!sums.touches(reach)) return Visit::Skip;
+        const Visit visit = meant.of(node);
         const bool one_cell = cellX(double(node.min[0])) == cellX(double(node.max[0])) &&
                               cellY(double(node.min[1])) == cellY(double(node.max[1]));
-        return way == Way::Whole && !one_cell ? Way::Into : way;
+        return visit == Visit::Whole && !one_cell ? Visit::Into : visit;
       },
       [&](const CloudNode& node) {
         fill(cellX(double(node.min[0])), cellY(double(node.min[1])), node.count, channels.of(node));

@@ -41,7 +41,7 @@ void NewestClouds::add(Came came) {
     if (held.came.kind != came.kind) return false;
     if (whole || held.came.region == came.region) return true;
     const Box bounds = held.came.tree->bounds();
-    return bounds.empty() || coverage(*covered, bounds) == Way::Whole;
+    return bounds.empty() || coverage(*covered, bounds) == Visit::Whole;
   });
   held_.push_back({std::move(came), covered});
   std::uint64_t points = 0;
@@ -71,7 +71,7 @@ CloudSet NewestClouds::set() const {
     for (const Held* newer = &held + 1; newer < held_.data() + held_.size(); ++newer) {
       // A cloud of the whole map is the oldest of its kind: it replaced all earlier ones.
       if (newer->came.kind == held.came.kind && newer->covered &&
-          coverage(*newer->covered, tree.bounds()) != Way::Skip) {
+          coverage(*newer->covered, tree.bounds()) != Visit::Skip) {
         shown.hidden.push_back(*newer->covered);
       }
     }

@@ -25,7 +25,7 @@ class Strip {
     const double l = along(at);
     return l >= 0 && l <= length_ && std::abs(beside(at)) <= half_;
   }
-  Way of(const Box& box) const {
+  Visit of(const Box& box) const {
     const Eigen::Vector2d centre = (box.min.head<2>() + box.max.head<2>()) / 2;
     const Eigen::Vector2d half = (box.max.head<2>() - box.min.head<2>()) / 2;
     const double reach_along = std::abs(along_.x()) * half.x() + std::abs(along_.y()) * half.y();
@@ -34,9 +34,9 @@ class Strip {
     // Slightly more, for rounding at the edges.
     const double slack = 1e-9 * (1 + std::abs(l) + b);
     if (l + reach_along < -slack || l - reach_along > length_ + slack || b - reach_beside > half_ + slack) {
-      return Way::Skip;
+      return Visit::Skip;
     }
-    return Way::Into;
+    return Visit::Into;
   }
 
  private:
@@ -52,7 +52,7 @@ void eachInStrip(const ShownCloud& cloud, const Strip& strip, const HeightRange&
   walk(
       tree,
       [&](const CloudNode& node) {
-        if ((cancelled && *cancelled) || meant.of(node) == Way::Skip) return Way::Skip;
+        if ((cancelled && *cancelled) || meant.of(node) == Visit::Skip) return Visit::Skip;
         return strip.of(tree.boundsOf(node));
       },
       [](const CloudNode&) {},
@@ -130,7 +130,7 @@ std::optional<Eigen::Vector2d> nearestIn(const Section& section, const Eigen::Ve
         [&](const CloudNode& node) {
           const Box box = tree.boundsOf(node);
           const Eigen::Vector2d inside = at.cwiseMax(box.min.head<2>()).cwiseMin(box.max.head<2>());
-          return (inside - at).squaredNorm() > best ? Way::Skip : Way::Into;
+          return (inside - at).squaredNorm() > best ? Visit::Skip : Visit::Into;
         },
         [](const CloudNode&) {},
         [&](std::uint32_t i) {

@@ -10,7 +10,7 @@
 
 namespace mapwright::clouds {
 
-enum class Way {
+enum class Visit {
   Skip,   // none of it
   Whole,  // all of it
   Into,   // look closer
@@ -24,17 +24,17 @@ inline bool contains(const Covered& covered, const Eigen::Vector3d& at) {
 }
 
 /// How much of a box is covered, never overestimated: Into may turn out to be nothing.
-inline Way coverage(const Covered& covered, const Box& box) {
+inline Visit coverage(const Covered& covered, const Box& box) {
   if ((box.max.array() < covered.box.min.array()).any() ||
       (box.min.array() > covered.box.max.array()).any()) {
-    return Way::Skip;
+    return Visit::Skip;
   }
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d at(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
                              corner & 4 ? box.max.z() : box.min.z());
-    if (!contains(covered, at)) return Way::Into;
+    if (!contains(covered, at)) return Visit::Into;
   }
-  return Way::Whole;
+  return Visit::Whole;
 }
 
 /// Which points of a cloud are shown.
@@ -43,19 +43,19 @@ class Meant {
   Meant(const CloudTree& tree, std::span<const Covered> hidden, const HeightRange& heights)
       : tree_(tree), hidden_(hidden), heights_(heights) {}
 
-  Way of(const CloudNode& node) const {
+  Visit of(const CloudNode& node) const {
     const double low = tree_.origin().z() + double(node.min[2]),
                  high = tree_.origin().z() + double(node.max[2]);
-    if (high < heights_.low_m || low > heights_.high_m) return Way::Skip;
-    Way way = low >= heights_.low_m && high <= heights_.high_m ? Way::Whole : Way::Into;
-    if (hidden_.empty()) return way;
+    if (high < heights_.low_m || low > heights_.high_m) return Visit::Skip;
+    Visit visit = low >= heights_.low_m && high <= heights_.high_m ? Visit::Whole : Visit::Into;
+    if (hidden_.empty()) return visit;
     const Box box = tree_.boundsOf(node);
     for (const Covered& covered : hidden_) {
-      const Way hides = coverage(covered, box);
-      if (hides == Way::Whole) return Way::Skip;
-      if (hides == Way::Into) way = Way::Into;
+      const Visit hides = coverage(covered, box);
+      if (hides == Visit::Whole) return Visit::Skip;
+      if (hides == Visit::Into) visit = Visit::Into;
     }
-    return way;
+    return visit;
   }
 
   bool has(const Eigen::Vector3f& point) const {
@@ -85,9 +85,9 @@ void walk(const CloudTree& tree, Judge judge, Whole whole, One one) {
   while (count > 0) {
     const std::uint32_t at = waiting[--count];
     const CloudNode& node = nodes[at];
-    const Way way = judge(node);
-    if (way == Way::Skip) continue;
-    if (way == Way::Whole) {
+    const Visit visit = judge(node);
+    if (visit == Visit::Skip) continue;
+    if (visit == Visit::Whole) {
       whole(node);
     } else if (node.second == 0) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) one(i);

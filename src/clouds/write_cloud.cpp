@@ -212,8 +212,8 @@ std::optional<CloudWritten> writeClouds(const CloudSet& set, const HeightRange& 
     walk(
         tree,
         [&](const CloudNode& node) {
-          if (!good || (cancelled && *cancelled)) return Way::Skip;
-          return meant.of(node) == Way::Skip ? Way::Skip : Way::Into;
+          if (!good || (cancelled && *cancelled)) return Visit::Skip;
+          return meant.of(node) == Visit::Skip ? Visit::Skip : Visit::Into;
         },
         [](const CloudNode&) {},
         [&](std::uint32_t i) {

@@ -79,7 +79,7 @@ bool isStandardOutput(const std::string& path) {
 WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
   buffer_.reserve(kBuffer);
   if (isStandardOutput(path_)) {
-    way_ = Way::Through;
+    mode_ = Mode::Through;
     patient_ = true;
     fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
     if (fd_ < 0) fail(errno);
@@ -199,7 +199,7 @@ void WrittenFile::copyAside() {
 }
 
 void WrittenFile::openThrough(bool pipe) {
-  way_ = Way::Through;
+  mode_ = Mode::Through;
   const auto until = std::chrono::steady_clock::now() + kReaderComesWithin;
   for (;;) {
     // A pipe without a reader would block the program forever.
@@ -256,7 +256,7 @@ bool WrittenFile::finish() {
   if (std::exchange(finished_, true)) return good();
   flush();
   if (fd_ < 0) return good();
-  if (good() && way_ == Way::Aside && !synced(fd_)) fail(errno);
+  if (good() && mode_ == Mode::Aside && !synced(fd_)) fail(errno);
   if (unnamed_) return good();  // unnamed until it gets its name
   // The final error of a network file system, or of a quota.
   if (::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(errno);
@@ -265,7 +265,7 @@ bool WrittenFile::finish() {
 
 std::optional<FileError> WrittenFile::place() {
   finish();
-  if (good() && !std::exchange(placed_, true) && way_ == Way::Aside) {
+  if (good() && !std::exchange(placed_, true) && mode_ == Mode::Aside) {
     const bool named = unnamed_ && giveName();
     if (good() && !named && ::rename(aside_.c_str(), target_.c_str()) != 0) fail(errno);
     if (good()) {

@@ -40,7 +40,7 @@ class WrittenFile {
   std::optional<FileError> place();
 
  private:
-  enum class Way { Aside, Through };  // Through: a device, a pipe or the standard output
+  enum class Mode { Aside, Through };  // Through: a device, a pipe or the standard output
   void openAside();
   /// False: not supported by this file system.
   bool openUnnamed(mode_t mode);
@@ -60,7 +60,7 @@ class WrittenFile {
   std::string aside_;   // empty: there is none, or it has no name
   bool unnamed_ = false, replaces_ = false;
   std::optional<FileError> problem_;
-  Way way_ = Way::Aside;
+  Mode mode_ = Mode::Aside;
   int fd_ = -1;
   bool patient_ = false;  // the reader may take as long as it likes
   bool finished_ = false, placed_ = false;

@@ -48,7 +48,7 @@ void OpenWaypoints::onSubmissionChanged() {
   if (submission_.phase() == SubmissionPhase::Done && refused().empty()) Q_EMIT saved();
   // Cancelled between two requests: the results of the earlier ones are still unknown.
   if (submission_.phase() == SubmissionPhase::Stopped && failure &&
-      failure->kind == map::FailureKind::Cancelled && way_.look_after_failure && !looked_)
+      failure->kind == map::FailureKind::Cancelled && options_.look_after_failure && !looked_)
     read();
   if (!saving() && std::exchange(read_again_, false)) read();
 }
@@ -112,7 +112,7 @@ std::set<Key> OpenWaypoints::zeroTurns() const {
 void OpenWaypoints::save(AtFailure at_failure) {
   if (saving()) return;
   reviewed_.reset();
-  way_ = {at_failure, false};
+  options_ = {at_failure, false};
   startSaving();
 }
 
@@ -120,14 +120,14 @@ void OpenWaypoints::send(const std::vector<PlannedRequest>& reviewed, AtFailure 
   if (saving()) return;
   reviewed_.emplace();
   for (const PlannedRequest& one : reviewed) reviewed_->push_back(one.call);
-  way_ = {at_failure, true};
+  options_ = {at_failure, true};
   startSaving();
 }
 
 void OpenWaypoints::startSaving() {
   if (!store_ || phase_ != Phase::Ready) return;
   read_overtaken_ = reading_;
-  submission_.start(way_);
+  submission_.start(options_);
 }
 
 std::vector<PlannedRequest> OpenWaypoints::planned() const {

@@ -98,7 +98,7 @@ class OpenWaypoints : public EditSession {
   std::set<std::string> zero_turns_;                          // their ids
   std::string revision_;                                      // of what was read last
   std::optional<std::vector<robot::WaypointCall>> reviewed_;  // nullopt = everything that is needed
-  WaypointSubmission::Way way_;
+  WaypointSubmission::Options options_;
   WaypointDocument document_;
   WaypointSubmission submission_;
 };

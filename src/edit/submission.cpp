@@ -50,10 +50,10 @@ std::size_t WaypointSubmission::done() const {
                                    [](const Row& row) { return row.state == Row::State::Done; }));
 }
 
-void WaypointSubmission::start(Way way) {
+void WaypointSubmission::start(Options options) {
   if (running()) return;
   if (phase_ == SubmissionPhase::Done) rows_.clear();
-  way_ = way;
+  options_ = options;
   failure_.reset();
   met_.reset();
   enter(SubmissionPhase::Looking);
@@ -114,7 +114,7 @@ void WaypointSubmission::goOnAfter(const Row& row) {
   const map::Failure failure = *row.failure;
   if (!met_) met_ = failure;
   const bool of_one_request = !isOfTheLink(failure) && failure.kind != map::FailureKind::Conflict;
-  if (way_.at_failure == AtFailure::GoOn && !cancelled_ && of_one_request) {
+  if (options_.at_failure == AtFailure::GoOn && !cancelled_ && of_one_request) {
     // Requests that depend on a skipped one are skipped, too.
     std::vector<const robot::WaypointRequest*> lacking{&row.request};
     for (Row& later : rows_) {
@@ -135,7 +135,7 @@ void WaypointSubmission::goOnAfter(const Row& row) {
 
 /// An answer may be lost although the request was carried out.
 bool WaypointSubmission::mustLook() const {
-  return way_.look_after_failure || std::any_of(rows_.begin(), rows_.end(), [](const Row& row) {
+  return options_.look_after_failure || std::any_of(rows_.begin(), rows_.end(), [](const Row& row) {
            return row.failure && row.failure->applied == map::Applied::Maybe;
          });
 }

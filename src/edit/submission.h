@@ -60,7 +60,7 @@ class WaypointSubmission : public QObject {
     /// Afterwards. True if everything is stored as it should be, whatever was answered.
     std::function<bool(const robot::StoredWaypoints&)> looked;
   };
-  struct Way {
+  struct Options {
     AtFailure at_failure = AtFailure::Stop;
     bool look_after_failure = false;  // reads the result before it is Stopped, also where it is known
   };
@@ -78,7 +78,7 @@ class WaypointSubmission : public QObject {
 
   /// Starts, or resumes after it stopped or a conflict was decided: reads the stored state, so that nothing
   /// whose answer was lost is sent twice, plans again, and sends.
-  void start(Way way);
+  void start(Options options);
   /// Sends nothing more and cancels the request in progress if possible. The phase becomes Stopped when that
   /// has been answered.
   void cancel();
@@ -105,7 +105,7 @@ class WaypointSubmission : public QObject {
   SubmissionPhase phase_ = SubmissionPhase::Idle;
   std::vector<SubmittedRequest> rows_;
   std::optional<map::Failure> failure_, met_;  // met_: the first failure of a request, while running
-  Way way_;
+  Options options_;
   robot::Call call_;
   bool cancelled_ = false;
   std::uint64_t round_ = 0;

@@ -97,10 +97,10 @@ void drawAll(WayMap& ways, const OverlayDocument& document, Shape shape, int typ
 }
 
 /// Labels of connected ways around a place.
-class Places {
+class WayLabels {
  public:
   /// `map_free`: without overlays.
-  Places(const WayMap& ways, const cv::Mat& map_free, const cv::Mat& labels, double reach_m)
+  WayLabels(const WayMap& ways, const cv::Mat& map_free, const cv::Mat& labels, double reach_m)
       : ways_(ways), map_free_(map_free), labels_(labels), reach_cells_(reach_m / ways.cellM()) {}
 
   /// All labels in reach, not through walls or forbidden regions. Empty: there is no way near it.
@@ -161,12 +161,12 @@ class Reach {
     const cv::Mat room = distance > std::max(0.5, radius_cells);
     distance.release();
     cv::connectedComponents(room, labels_, 4, CV_32S);
-    const Places places(ways_, map_free_, labels_, reach_m_);
+    const WayLabels way_labels(ways_, map_free_, labels_, reach_m_);
     for (const Feature& feature : document.features()) {
       if (feature.shape() != Shape::Point || feature.type() != kCharger) continue;
       const auto at = shapesOf(feature).somewhere();
       if (!at) continue;
-      const std::set<int> near = places.near(*at);
+      const std::set<int> near = way_labels.near(*at);
       from_chargers_.insert(near.begin(), near.end());
       if (!near.empty()) chargers_.push_back(*at);
     }
@@ -174,7 +174,7 @@ class Reach {
 
   bool anyCharger() const { return !chargers_.empty(); }
   bool reaches(const Vector2d& at_m) const {
-    const std::set<int> near = Places(ways_, map_free_, labels_, reach_m_).near(at_m);
+    const std::set<int> near = WayLabels(ways_, map_free_, labels_, reach_m_).near(at_m);
     return std::any_of(near.begin(), near.end(), [&](int label) { return from_chargers_.contains(label); });
   }
 

@@ -78,12 +78,12 @@ struct Tile {
 
 /// Spreads `seed` along the open bits of a word in both directions.
 std::uint64_t spread(std::uint64_t seed, std::uint64_t open) {
-  std::uint64_t up = seed & open, down = up, way_up = open, way_down = open;
+  std::uint64_t up = seed & open, down = up, open_up = open, open_down = open;
   for (int shift = 1; shift < 64; shift *= 2) {
-    up |= way_up & (up << shift);
-    way_up &= way_up << shift;
-    down |= way_down & (down >> shift);
-    way_down &= way_down >> shift;
+    up |= open_up & (up << shift);
+    open_up &= open_up << shift;
+    down |= open_down & (down >> shift);
+    open_down &= open_down >> shift;
   }
   return up | down;
 }
@@ -157,9 +157,9 @@ class Filling {
     bool any = false;
     for (bool more = true; more;) {
       more = false;
-      for (int way = 0; way < 2; ++way) {
+      for (int pass = 0; pass < 2; ++pass) {
         for (int step = 0; step < kEdge; ++step) {
-          const int v = way == 0 ? step : kEdge - 1 - step, before = way == 0 ? v - 1 : v + 1;
+          const int v = pass == 0 ? step : kEdge - 1 - step, before = pass == 0 ? v - 1 : v + 1;
           const std::size_t r = std::size_t(v);
           Row fresh{};
           bool some = false;
@@ -264,10 +264,10 @@ void drawLine(Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d
   const int across = std::clamp(brush.across, 1, kWidestBrush);
   const Eigen::Vector2d a = brushCentre(from, across), b = brushCentre(to, across);
   const double radius = across / 2.0;
-  const Eigen::Vector2d way = b - a;
-  const double length = way.norm();
+  const Eigen::Vector2d along = b - a;
+  const double length = along.norm();
   const Eigen::Vector2d side =
-      length > 0 ? Eigen::Vector2d(-way.y(), way.x()) * (radius / length) : Eigen::Vector2d(0, 0);
+      length > 0 ? Eigen::Vector2d(-along.y(), along.x()) * (radius / length) : Eigen::Vector2d(0, 0);
   const int top = std::max(int(std::floor(std::min(a.y(), b.y()) - radius)), 0);
   const int bottom = std::min(int(std::ceil(std::max(a.y(), b.y()) + radius)) + 1, canvas.all().bottom);
   for (int row = top; row < bottom; ++row) {

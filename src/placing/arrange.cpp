@@ -94,8 +94,8 @@ std::vector<Spot> headingOn(std::vector<Spot> spots, LastHeads last) {
     return (a - b).norm() > kOnePlaceM;
   };
   const auto headTo = [](Spot& spot, const Eigen::Vector2d& there) {
-    const Eigen::Vector2d way = there - spot.position_m;
-    spot.yaw_rad = std::atan2(way.y(), way.x());
+    const Eigen::Vector2d towards = there - spot.position_m;
+    spot.yaw_rad = std::atan2(towards.y(), towards.x());
   };
   std::size_t ahead = count;  // from here on all lie where the last one does
   for (std::size_t i = count; i-- > 0;) {

@@ -334,19 +334,19 @@ void ReplayRobot::reportHoles() {
 }
 
 bool ReplayRobot::playTo(double at_s) {
-  std::vector<ChunkPtr> on_the_way;
+  std::vector<ChunkPtr> passed;
   const Cell* cell = reading_->chunks().cellAt(*at_s_);
   const Cell* last = reading_->chunks().cellAt(at_s);
   if (!cell || !last) return false;
   for (auto it = reading_->chunks().cells().find(cell->from); it != reading_->chunks().cells().end(); ++it) {
     ChunkPtr chunk = reading_->chunkAt(it->first);
     if (!chunk) return false;
-    on_the_way.push_back(std::move(chunk));
+    passed.push_back(std::move(chunk));
     if (it->first == last->from) break;
   }
   const double from_s = std::exchange(at_s_, at_s).value();
   const QPointer<ReplayRobot> alive(this);
-  for (const ChunkPtr& chunk : on_the_way) {
+  for (const ChunkPtr& chunk : passed) {
     const std::size_t end = chunk->countUntil(at_s);
     for (std::size_t place = chunk->countUntil(from_s); place < end; ++place) {
       const robot::BagMessage& message = chunk->at(place);

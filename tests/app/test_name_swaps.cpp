@@ -31,7 +31,7 @@ constexpr Break kBreaks[] = {Break::Refused, Break::CutBefore, Break::LostAndDon
 /// Plans like a map manager of KABAM, and has every name once.
 class ManagerStore : public FakeWaypointStore {
  public:
-  ManagerStore() : FakeWaypointStore(Way::OneByOne) {
+  ManagerStore() : FakeWaypointStore(Mode::OneByOne) {
     is_called = true;
     before_performing = [this] { meet(); };
   }
@@ -234,22 +234,25 @@ class NameSwapsTest : public QObject {
     QFETCH(int, seed);
     std::mt19937 dice{std::mt19937::result_type(seed)};
     const Trial trial = trialOf(dice);
-    enum class Way { SamePlan, NewPlan, SendTheRest, AnotherWindow };
+    enum class Continuation { SamePlan, NewPlan, SendTheRest, AnotherWindow };
     for (std::size_t call = 1; call <= trial.calls; ++call) {
       for (const Break how : kBreaks) {
-        for (const Way way : {Way::SamePlan, Way::NewPlan, Way::SendTheRest, Way::AnotherWindow}) {
+        for (const Continuation continuation : {Continuation::SamePlan, Continuation::NewPlan,
+                                                Continuation::SendTheRest, Continuation::AnotherWindow}) {
           // A window takes long: one call of each trial is enough for it.
-          if (way >= Way::SendTheRest && call != 1 + std::size_t(seed) % trial.calls) continue;
-          const QByteArray where = QStringLiteral("%1 call %2 break %3 way %4")
+          if (continuation >= Continuation::SendTheRest && call != 1 + std::size_t(seed) % trial.calls)
+            continue;
+          const QByteArray where = QStringLiteral("%1 call %2 break %3 continuation %4")
                                        .arg(trial.told)
                                        .arg(call)
                                        .arg(int(how))
-                                       .arg(int(way))
+                                       .arg(int(continuation))
                                        .toUtf8();
           ManagerStore store;
           store.points = trial.points;
           store.breakAt(call, how);
-          const bool by_command = way == Way::SamePlan || way == Way::NewPlan;
+          const bool by_command =
+              continuation == Continuation::SamePlan || continuation == Continuation::NewPlan;
           QTemporaryDir drafts;
           std::unique_ptr<edit::OpenWaypoints> list;
           if (by_command) {
@@ -264,11 +267,11 @@ class NameSwapsTest : public QObject {
           }
           QVERIFY2(store.broke, where);
           store.mend();
-          if (way == Way::SamePlan) {
+          if (continuation == Continuation::SamePlan) {
             const app::SentWaypoints sent = apply(store, planOf(trial), app::AtFailure::Stop);
             QVERIFY2(sent.complete(), where + " " + sent.sentence().toUtf8());
             QVERIFY2(sent.left_names.empty(), where);
-          } else if (way == Way::NewPlan) {
+          } else if (continuation == Continuation::NewPlan) {
             std::vector<exchange::WantedWaypoint> rows;
             for (const map::Waypoint& point : trial.wanted) rows.push_back(wantedRow(point));
             const auto edits =
@@ -277,7 +280,7 @@ class NameSwapsTest : public QObject {
             const auto sent = app::sendWaypoints(listed(store), *edits, app::AtFailure::Stop);
             QVERIFY2(sent && sent->complete(),
                      where + " " + (sent ? sent->sentence().toUtf8() : QByteArray()));
-          } else if (way == Way::SendTheRest) {
+          } else if (continuation == Continuation::SendTheRest) {
             list->read();
             QVERIFY2(send(*list), where);
             QVERIFY2(!list->unsaved() && list->document().conflicts().empty(), where);

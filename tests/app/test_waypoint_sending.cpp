@@ -64,7 +64,7 @@ class WaypointSendingTest : public QObject {
 
  private Q_SLOTS:
   void everythingIsSentOneByOneAndLookedAtAfterwards() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     const auto robot = reading();
     QVERIFY(robot);
@@ -82,7 +82,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void afterAFailureNothingMoreIsSent() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.before_performing = [&] {
       if (store.asked.size() == 2)
@@ -99,7 +99,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void theOthersGoOnWhenAskedTo() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.failures = {failed(map::FailureKind::RejectedByRobot, map::Applied::No)};
     const auto robot = reading();
@@ -121,7 +121,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void whoseAnswerIsLostIsLookedAt() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.failures = {failed(map::FailureKind::Unreachable, map::Applied::Maybe)};  // and it does it
     const auto robot = reading();
@@ -134,7 +134,7 @@ class WaypointSendingTest : public QObject {
 
   // It may be at work on it still: that nothing is to be seen yet proves nothing.
   void whoseAnswerIsLostMayDoItLater() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.failures = {failed(map::FailureKind::Unreachable, map::Applied::Maybe)};
     store.does_what_fails = false;
@@ -149,7 +149,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void whatIsTakenInPartSaysWhichPart() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     map::Failure tags = failed(map::FailureKind::RejectedByRobot, map::Applied::Yes);
     tags.reason = map::FailureReason::Unfit;
@@ -167,7 +167,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void whatNobodyCanTellIsNamed() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.failures = {failed(map::FailureKind::RejectedByRobot, map::Applied::Maybe)};
     store.before_performing = [&] { store.unreadable = true; };
@@ -186,7 +186,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void whatOthersChangedStopsItBeforeAnythingIsSent() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     const auto edits = threeMoves(store);
     store.put(waypoint("b", 7, 7, "Bo"));
@@ -202,7 +202,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void whatDoesNotGoThroughInTimeIsGivenUp() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.hold = true;
     const auto robot = reading(5);
@@ -229,7 +229,7 @@ class WaypointSendingTest : public QObject {
   }
 
   void whoIsOutOfReachBeforeAnythingIsSentIsNoErrorOfTheRobot() {
-    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    FakeWaypointStore store(FakeWaypointStore::Mode::OneByOne);
     fill(store);
     store.readable = 1;
     const auto robot = reading();

@@ -25,8 +25,8 @@ inline map::Waypoint waypoint(const std::string& id, double x, double y, const s
 
 class FakeWaypointStore : public robot::WaypointStore {
  public:
-  enum class Way { OneByOne, AllAtOnce };
-  explicit FakeWaypointStore(Way way) : way_(way) {}
+  enum class Mode { OneByOne, AllAtOnce };
+  explicit FakeWaypointStore(Mode mode) : mode_(mode) {}
 
   robot::KeptFields keeps() const override { return kept_fields; }
   robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
@@ -49,7 +49,7 @@ class FakeWaypointStore : public robot::WaypointStore {
   std::vector<robot::WaypointRequest> plan(const robot::StoredWaypoints& now,
                                            const std::vector<robot::WaypointChange>& changes) const override {
     if (changes.empty()) return {};
-    if (way_ == Way::AllAtOnce) return {{changes, now.revision}};
+    if (mode_ == Mode::AllAtOnce) return {{changes, now.revision}};
     std::vector<robot::WaypointRequest> requests;
     for (const auto& change : changes) requests.push_back({{change}, now.revision});
     return requests;
@@ -82,7 +82,7 @@ class FakeWaypointStore : public robot::WaypointStore {
       failure = failures.front();
       failures.pop_front();
     }
-    if (way_ == Way::AllAtOnce && request.revision != std::to_string(revision))
+    if (mode_ == Mode::AllAtOnce && request.revision != std::to_string(revision))
       failure = map::Failure{map::FailureKind::Conflict};
     // A lost answer: the robot has done it.
     const bool does = !failure || (does_what_fails && failure->applied != map::Applied::No);
@@ -147,7 +147,7 @@ class FakeWaypointStore : public robot::WaypointStore {
       point.id = change.id;
       if (!kept_fields.type) point.type.clear();
       if (!kept_fields.no_heading) point.yaw_rad = point.yaw_rad.value_or(0);
-      if (!change.before && way_ == Way::OneByOne) {
+      if (!change.before && mode_ == Mode::OneByOne) {
         point.id = "robot-" + std::to_string(++last_id_);
         receipt.ids[change.id] = point.id;
       }
@@ -157,7 +157,7 @@ class FakeWaypointStore : public robot::WaypointStore {
     for (auto& [id, point] : made) points.push_back(std::move(point));
     ++revision;
   }
-  Way way_;
+  Mode mode_;
   int last_id_ = 0;
 };
 

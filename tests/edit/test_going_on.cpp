@@ -38,7 +38,7 @@ struct Desk {
     return states;
   }
 
-  FakeWaypointStore store{FakeWaypointStore::Way::OneByOne};
+  FakeWaypointStore store{FakeWaypointStore::Mode::OneByOne};
   std::unique_ptr<OpenWaypoints> list;
 };
 

@@ -13,7 +13,7 @@ using namespace mapwright;
 using namespace mapwright::edit;
 using test::FakeWaypointStore;
 using test::waypoint;
-using Way = FakeWaypointStore::Way;
+using Mode = FakeWaypointStore::Mode;
 using State = SubmittedRequest::State;
 
 namespace {
@@ -21,7 +21,7 @@ namespace {
 map::Failure failed(map::FailureKind kind, map::Applied applied) { return {kind, {}, applied}; }
 
 struct Desk {
-  explicit Desk(Way way) : store(way) {
+  explicit Desk(Mode mode) : store(mode) {
     store.points = {waypoint("a", 0, 0, "A"), waypoint("b", 5, 0, "B"), waypoint("c", 9, 0, "C")};
     open();
   }
@@ -64,13 +64,13 @@ class TestOpenWaypoints : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void savesEachChangeAndFollowsWhatIsKept_data() {
-    QTest::addColumn<int>("way");
-    QTest::newRow("one by one") << int(Way::OneByOne);
-    QTest::newRow("all at once") << int(Way::AllAtOnce);
+    QTest::addColumn<int>("mode");
+    QTest::newRow("one by one") << int(Mode::OneByOne);
+    QTest::newRow("all at once") << int(Mode::AllAtOnce);
   }
   void savesEachChangeAndFollowsWhatIsKept() {
-    QFETCH(int, way);
-    Desk desk{Way(way)};
+    QFETCH(int, mode);
+    Desk desk{Mode(mode)};
     READY(desk);
     desk.move("a", 1);
     desk.document().change({desk.document().to("b", std::nullopt)}, QStringLiteral("delete"));
@@ -78,7 +78,7 @@ class TestOpenWaypoints : public QObject {
     QSignalSpy saved(desk.list.get(), &OpenWaypoints::saved);
     desk.list->save();
     QTRY_COMPARE(saved.size(), 1);
-    QCOMPARE(desk.store.asked.size(), std::size_t(Way(way) == Way::OneByOne ? 3 : 1));
+    QCOMPARE(desk.store.asked.size(), std::size_t(Mode(mode) == Mode::OneByOne ? 3 : 1));
     QCOMPARE(desk.store.points.size(), std::size_t(3));
     QCOMPARE(desk.store.find("A")->position_m.x(), 1.0);
     QVERIFY(!desk.list->unsaved());
@@ -93,7 +93,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void whatWasReadBeforeItWasSavedTakesNothingBack() {
-    Desk desk(Way::OneByOne);
+    Desk desk(Mode::OneByOne);
     READY(desk);
     desk.store.slow = true;
     desk.list->read();
@@ -116,7 +116,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void savingNothingAsksForNothing() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     QSignalSpy saved(desk.list.get(), &OpenWaypoints::saved);
     desk.list->save();
@@ -125,7 +125,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void stopsHalfWaySaysWhatWasAppliedAndGoesOn() {
-    Desk desk(Way::OneByOne);
+    Desk desk(Mode::OneByOne);
     READY(desk);
     for (const char* key : {"a", "b", "c"}) desk.move(key, 20);
     // The first is done, the second refused.
@@ -146,7 +146,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void afterALostAnswerItLooksWhetherItIsSaved() {
-    Desk desk(Way::OneByOne);
+    Desk desk(Mode::OneByOne);
     READY(desk);
     desk.document().change({desk.document().to("new", waypoint("new", 3, 3, "New"))}, QStringLiteral("add"));
     desk.store.failures = {failed(map::FailureKind::TimedOut, map::Applied::Maybe)};  // and it was made
@@ -159,7 +159,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void whatWasLostWithTheLinkIsLookedForBeforeItIsSentAgain() {
-    Desk desk(Way::OneByOne);
+    Desk desk(Mode::OneByOne);
     READY(desk);
     desk.document().change({desk.document().to("new", waypoint("new", 3, 3, "New"))}, QStringLiteral("add"));
     desk.store.failures = {failed(map::FailureKind::TimedOut, map::Applied::Maybe)};  // and it was made
@@ -179,7 +179,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void canBeCancelled() {
-    Desk desk(Way::OneByOne);
+    Desk desk(Mode::OneByOne);
     READY(desk);
     desk.move("a", 1);
     desk.move("b", 2);
@@ -196,7 +196,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aRobotThatIsGoneLeavesDoubtOfWhatWasInProgress() {
-    Desk desk(Way::OneByOne);
+    Desk desk(Mode::OneByOne);
     READY(desk);
     desk.move("a", 1);
     desk.store.hold = true;
@@ -211,7 +211,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aListThatIsGoneTakesNothingAlong() {
-    Desk desk{Way::AllAtOnce};
+    Desk desk{Mode::AllAtOnce};
     READY(desk);
     desk.move("a", 1);
     QSignalSpy remarked(desk.list.get(), &OpenWaypoints::remarked);
@@ -233,7 +233,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aListThatWasEmptiedIsEmpty() {
-    Desk desk{Way::AllAtOnce};
+    Desk desk{Mode::AllAtOnce};
     READY(desk);
     desk.store.points.clear();
     Q_EMIT desk.store.changed();
@@ -241,7 +241,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void changesFromElsewhereComeIn() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     desk.store.put(waypoint("b", 7, 7, "B"));
@@ -251,7 +251,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void whoWasOvertakenLooksAgainAndMerges() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     desk.store.before_performing = [&] {
@@ -264,7 +264,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void whatCollidesHasToBeDecidedFirst() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     desk.store.put(waypoint("a", 2, 0, "A"));
@@ -278,7 +278,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aListThatCannotBeReadIsNotEdited() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     desk.store.unreadable = true;
     desk.open();
     QTRY_COMPARE(desk.list->phase(), OpenWaypoints::Phase::Failed);
@@ -291,7 +291,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aDraftIsOfferedAfterAnEndWithoutSaving() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     desk.ring();
@@ -316,7 +316,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aDraftThatIsTurnedDownOrDiscardedIsGone() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     QVERIFY(!desk.list->drafts()->keep());
@@ -334,7 +334,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aDraftThatWasSavedAllTheSameIsNotOffered() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     desk.list.reset();
@@ -346,7 +346,7 @@ class TestOpenWaypoints : public QObject {
   }
 
   void aBrokenDraftIsSetAsideAndSaid() {
-    Desk desk(Way::AllAtOnce);
+    Desk desk(Mode::AllAtOnce);
     READY(desk);
     desk.move("a", 1);
     desk.list.reset();

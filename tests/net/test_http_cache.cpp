@@ -290,9 +290,9 @@ class TestHttpCache : public QObject {
   }
 
   void aFolderThatCannotBeWrittenMakesItForget() {
-    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
-    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
-    HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    QFile obstacle(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
+    HttpCache cache(obstacle.fileName(), 1 << 20, [this] { return now_; });
     Fault told;
     cache.setTrouble([&](const Fault& why) { told = why; });
     cache.store(kUrl, "body", {}, "immutable", {}, true);
@@ -302,15 +302,15 @@ class TestHttpCache : public QObject {
   }
 
   void whatGoesWrongIsToldOnce() {
-    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
-    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
-    HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    QFile obstacle(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
+    HttpCache cache(obstacle.fileName(), 1 << 20, [this] { return now_; });
     QList<Fault> told;
     cache.setTrouble([&](const Fault& why) { told << why; });
     for (int i = 0; i < 5; ++i) cache.store(numbered(i), "body", {}, "immutable", {}, true);
     cache.flush();
     QCOMPARE(told.size(), qsizetype(1));
-    QVERIFY(argumentsOf(told.first()).value(0).startsWith(in_the_way.fileName()));
+    QVERIFY(argumentsOf(told.first()).value(0).startsWith(obstacle.fileName()));
     cache.store(kUrl, "body", {}, "immutable", {}, true);
     cache.flush();
     QCoreApplication::processEvents();
@@ -318,9 +318,9 @@ class TestHttpCache : public QObject {
   }
 
   void itIsToldOnTheOwnersThreadWithoutBeingAsked() {
-    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
-    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
-    HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    QFile obstacle(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
+    HttpCache cache(obstacle.fileName(), 1 << 20, [this] { return now_; });
     QList<QThread*> told_on;
     cache.setTrouble([&](const Fault&) { told_on << QThread::currentThread(); });
     cache.store(kUrl, "body", {}, "immutable", {}, true);
@@ -329,11 +329,11 @@ class TestHttpCache : public QObject {
   }
 
   void nobodyIsToldByACacheThatIsGone() {
-    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
-    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    QFile obstacle(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
     int told = 0;
     {
-      HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+      HttpCache cache(obstacle.fileName(), 1 << 20, [this] { return now_; });
       cache.setTrouble([&](const Fault&) { ++told; });
       cache.store(kUrl, "body", {}, "immutable", {}, true);
     }

@@ -470,9 +470,9 @@ class AxbotRobotTest : public QObject {
   }
 
   void aCacheThatCannotBeWrittenIsToldOnceAndHarmsNothing() {
-    QFile in_the_way(cache_->filePath(QStringLiteral("file")));
-    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
-    makeRobot({}, in_the_way.fileName());
+    QFile obstacle(cache_->filePath(QStringLiteral("file")));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
+    makeRobot({}, obstacle.fileName());
     server_->serve("/ros/slam/submaps/u/0/1", submap(7));
     for (int version = 1; version < 4; ++version) {
       QCOMPARE(fetchSubmap({"u", {0, 1}, version}).outcome, map::SubmapAnswer::Outcome::Ok);

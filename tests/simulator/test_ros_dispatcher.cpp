@@ -209,14 +209,14 @@ class TestRosDispatcher : public QObject {
   }
 
   void cloudsAreLaidDownInManyWays_data() {
-    QTest::addColumn<QString>("way");
-    for (const char* way :
+    QTest::addColumn<QString>("layout");
+    for (const char* layout :
          {"big-endian", "float64", "odd offsets", "no z", "point-step", "row-step", "width", "data"})
-      QTest::newRow(way) << QString::fromLatin1(way);
+      QTest::newRow(layout) << QString::fromLatin1(layout);
   }
   void cloudsAreLaidDownInManyWays() {
-    QFETCH(QString, way);
-    const auto is = [&](const char* what) { return way == QLatin1String(what); };
+    QFETCH(QString, layout);
+    const auto is = [&](const char* what) { return layout == QLatin1String(what); };
     RosRobot usual(with());
     const QJsonObject right = cloud(usual, box(3, 4, 2, 6));
     Options options = with();
@@ -225,8 +225,8 @@ class TestRosDispatcher : public QObject {
     odd.float64 = is("float64");
     odd.odd_offsets = is("odd offsets");
     odd.no_z = is("no z");
-    if (way.contains(QLatin1Char('-')) && !odd.big_endian) odd.lie = way.toStdString();
-    if (is("width") || is("data")) odd.lie = way.toStdString();
+    if (layout.contains(QLatin1Char('-')) && !odd.big_endian) odd.lie = layout.toStdString();
+    if (is("width") || is("data")) odd.lie = layout.toStdString();
     RosRobot robot(options);
     const QJsonObject other = cloud(robot, box(3, 4, 2, 6));
     QVERIFY(other != right);

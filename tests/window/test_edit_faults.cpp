@@ -157,7 +157,7 @@ class WaypointsEditor : public Editor {
   void offerStore(test::FakeRobot& made) override { made.waypoint_store = &store; }
 
  private:
-  test::FakeWaypointStore store{test::FakeWaypointStore::Way::OneByOne};
+  test::FakeWaypointStore store{test::FakeWaypointStore::Mode::OneByOne};
 };
 
 class OverlaysEditor : public Editor, public robot::OverlayStore {

@@ -327,17 +327,17 @@ class TestPictureEditing : public QObject {
       const int what = upTo(10);
       if (what < 5) {
         const Kind kind = upTo(2) ? Kind::Occupied : Kind::Unknown;
-        const CellRect way = somewhere();
+        const CellRect stroke = somewhere();
         editing.setKind(kind);
         editing.beginStroke(false);
-        editing.strokeTo(at(way.left, way.top));
-        editing.strokeTo(at((way.left + way.right) / 2, way.top));
+        editing.strokeTo(at(stroke.left, stroke.top));
+        editing.strokeTo(at((stroke.left + stroke.right) / 2, stroke.top));
         if (upTo(2)) othersPaint();
         if (upTo(2)) QTest::qWait(2);  // it comes while the hand is down, or later
         QVERIFY(editing.stroking());
-        editing.strokeTo(at(way.right - 1, way.top));
+        editing.strokeTo(at(stroke.right - 1, stroke.top));
         editing.endStroke();
-        model.paint({way.left, way.top, way.right, way.top + 1},
+        model.paint({stroke.left, stroke.top, stroke.right, stroke.top + 1},
                     kind == Kind::Occupied ? kOccupied : kUnknown);
       } else if (what < 7) {
         editing.undoStack().undo();

@@ -358,9 +358,9 @@ class TestWindowKabamPicture : public QObject {
     Hall hall;
     hall.keeps_copies = true;
     hall.open();
-    QFile in_the_way(hall.folder.filePath(QStringLiteral("mapwright/overwritten")));
+    QFile obstacle(hall.folder.filePath(QStringLiteral("mapwright/overwritten")));
     QVERIFY(QDir().mkpath(hall.folder.filePath(QStringLiteral("mapwright"))));
-    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
     hall.paint(kSpot);
     hall.save();
     QTRY_VERIFY(!hall.control().saving());
@@ -370,7 +370,7 @@ class TestWindowKabamPicture : public QObject {
     other.open();
     QVERIFY(other.cell(31, 41) != 100);
     // Once it can be kept, it is sent.
-    QVERIFY(in_the_way.remove());
+    QVERIFY(obstacle.remove());
     hall.save();
     QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
   }

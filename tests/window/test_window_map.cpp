@@ -181,21 +181,21 @@ class TestWindowMap : public QObject {
       window.view()->setFocus();
       QWidget* at = QApplication::focusWidget();
       QCOMPARE(at, static_cast<QWidget*>(window.view()));
-      QStringList way;
+      QStringList chain;
       bool dock_seen = false, over_map = false;
       do {
         QTest::keyClick(at, backwards ? Qt::Key_Backtab : Qt::Key_Tab,
                         backwards ? Qt::ShiftModifier : Qt::NoModifier);
         QWidget* const next = QApplication::focusWidget();
         QVERIFY(next);
-        way << QLatin1String(next->metaObject()->className()) + QLatin1Char(' ') + next->objectName();
-        QVERIFY2(next != at, qPrintable(QStringLiteral("it ends at ") + way.last()));
-        QVERIFY2(way.size() < 400, qPrintable(way.mid(380).join(QStringLiteral(", "))));
+        chain << QLatin1String(next->metaObject()->className()) + QLatin1Char(' ') + next->objectName();
+        QVERIFY2(next != at, qPrintable(QStringLiteral("it ends at ") + chain.last()));
+        QVERIFY2(chain.size() < 400, qPrintable(chain.mid(380).join(QStringLiteral(", "))));
         dock_seen |= dock->isAncestorOf(next);
         over_map |= window.view()->isAncestorOf(next);
         at = next;
       } while (at != window.view());
-      most = std::max(most, int(way.size()));
+      most = std::max(most, int(chain.size()));
       QVERIFY2(over_map, "the strips over the map are on the way");
       const auto inside = dock->findChildren<QWidget*>();
       const bool has_any = std::any_of(inside.begin(), inside.end(), [&](const QWidget* widget) {

@@ -103,7 +103,7 @@ struct Desk : test::Bench {
     return kinds;
   }
 
-  FakeWaypointStore store{FakeWaypointStore::Way::AllAtOnce};
+  FakeWaypointStore store{FakeWaypointStore::Mode::AllAtOnce};
 };
 
 using placing::WarningKind;

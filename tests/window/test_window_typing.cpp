@@ -244,7 +244,7 @@ class TestWindowTyping : public QObject {
   }
 
   void whoeverGoesElsewhereHasNamedIt_data() {
-    QTest::addColumn<int>("way");
+    QTest::addColumn<int>("departure");
     QTest::newRow("a click beside it") << 0;
     QTest::newRow("a click on another") << 1;
     QTest::newRow("Tab") << 2;
@@ -254,18 +254,18 @@ class TestWindowTyping : public QObject {
     QTest::newRow("a button") << 6;
   }
   void whoeverGoesElsewhereHasNamedIt() {
-    QFETCH(int, way);
+    QFETCH(int, departure);
     Desk desk;
     desk.place();
     const edit::Key key = *desk.editing().selected().begin();
     Desk::type(QStringLiteral("Corr 2"));
-    if (way == 0) desk.click(desk.px(1.5, 2.5));
-    if (way == 1) desk.click(desk.px(1, 1));
-    if (way == 2) Desk::type(Qt::Key_Tab);
-    if (way == 3) Desk::type(Qt::Key_F6);
-    if (way == 4) QTest::mouseClick(desk.dock().filterEdit(), Qt::LeftButton);
-    if (way == 5) desk.key(Qt::Key_S, Qt::ControlModifier);
-    if (way == 6) {
+    if (departure == 0) desk.click(desk.px(1.5, 2.5));
+    if (departure == 1) desk.click(desk.px(1, 1));
+    if (departure == 2) Desk::type(Qt::Key_Tab);
+    if (departure == 3) Desk::type(Qt::Key_F6);
+    if (departure == 4) QTest::mouseClick(desk.dock().filterEdit(), Qt::LeftButton);
+    if (departure == 5) desk.key(Qt::Key_S, Qt::ControlModifier);
+    if (departure == 6) {
       // What it does takes the focus, as the tools and a menu's "Focus the map" do.
       auto* const button = new QPushButton(desk.window.get());
       button->setFocusPolicy(Qt::NoFocus);
@@ -277,9 +277,9 @@ class TestWindowTyping : public QObject {
     QCoreApplication::processEvents();
     QCOMPARE(desk.editing().find(key)->name, std::string("Corr 2"));
     // Where another has been made its own name is asked for.
-    QCOMPARE(desk.control().nameEditor()->isVisible(), way == 0);
-    QVERIFY(way != 4 || desk.dock().filterEdit()->hasFocus());
-    if (way == 1) QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"a"});
+    QCOMPARE(desk.control().nameEditor()->isVisible(), departure == 0);
+    QVERIFY(departure != 4 || desk.dock().filterEdit()->hasFocus());
+    if (departure == 1) QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"a"});
     QVERIFY(desk.near(key, 2, 2));
   }
 

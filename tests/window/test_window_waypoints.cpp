@@ -502,27 +502,27 @@ class TestWindowWaypoints : public QObject {
   }
 
   void leavingWithChangesAsks_data() {
-    QTest::addColumn<int>("way");
+    QTest::addColumn<int>("departure");
     QTest::newRow("close") << 0;
     QTest::newRow("another map") << 1;
     QTest::newRow("another robot") << 2;
     QTest::newRow("disconnect") << 3;
   }
   void leavingWithChangesAsks() {
-    QFETCH(int, way);
+    QFETCH(int, departure);
     Desk desk;
     desk.start();
     desk.editing().add({2, 2});
     const auto leave = [&] {
-      if (way == 0) desk.window->close();
-      if (way == 1) part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
-      if (way == 2) (void)desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090"));
-      if (way == 3) desk.action("disconnect")->trigger();
+      if (departure == 0) desk.window->close();
+      if (departure == 1) part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
+      if (departure == 2) (void)desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090"));
+      if (departure == 3) desk.action("disconnect")->trigger();
     };
     const auto left = [&] {
-      if (way == 0) return !desk.window->isVisible();
-      if (way == 1) return desk.window->session()->wholeMap().key().id == "2";
-      if (way == 2) return desk.window->session()->robot().address().contains(QLatin1String("2.8"));
+      if (departure == 0) return !desk.window->isVisible();
+      if (departure == 1) return desk.window->session()->wholeMap().key().id == "2";
+      if (departure == 2) return desk.window->session()->robot().address().contains(QLatin1String("2.8"));
       return desk.window->session() == nullptr;
     };
     leave();

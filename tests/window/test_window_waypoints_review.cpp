@@ -25,7 +25,7 @@ namespace {
 
 /// A robot that is called for every change; a, b and c are changed.
 struct Desk : test::WaypointsDesk {
-  Desk() : WaypointsDesk(FakeWaypointStore::Way::OneByOne) {
+  Desk() : WaypointsDesk(FakeWaypointStore::Mode::OneByOne) {
     store.is_called = true;
     store.points = {waypoint("a", 1, 1, "Dock"), waypoint("b", 3, 2, "Kitchen"), waypoint("c", 2, 2, "Gate")};
   }

@@ -28,7 +28,7 @@ using window::WaypointsDock;
 /// the middle.
 struct WaypointsDesk : Bench {
   ~WaypointsDesk() { window.reset(); }  // before what its robot keeps
-  explicit WaypointsDesk(FakeWaypointStore::Way way = FakeWaypointStore::Way::AllAtOnce) : store(way) {
+  explicit WaypointsDesk(FakeWaypointStore::Mode mode = FakeWaypointStore::Mode::AllAtOnce) : store(mode) {
     store.points = {waypoint("a", 1, 1, "Dock"), waypoint("b", 3, 2, "Kitchen")};
     prepare = [this](FakeRobot& made) {
       made.has_catalogue = true;

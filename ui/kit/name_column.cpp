@@ -17,8 +17,8 @@ constexpr int kSoonMs = 50;
 }  // namespace
 
 NameColumn::NameColumn(QAbstractItemView* view, QHeaderView* header, int column,
-                       std::vector<ColumnBeside> giving_way)
-    : QObject(view), view_(view), header_(header), column_(column), beside_(std::move(giving_way)) {
+                       std::vector<ColumnBeside> shrinking)
+    : QObject(view), view_(view), header_(header), column_(column), beside_(std::move(shrinking)) {
   header_->setStretchLastSection(false);
   header_->setCascadingSectionResizes(false);
   header_->setResizeContentsPrecision(kRowsLookedAt);

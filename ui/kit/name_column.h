@@ -26,7 +26,7 @@ struct ColumnBeside {
 class NameColumn : public QObject {
   Q_OBJECT
  public:
-  NameColumn(QAbstractItemView* view, QHeaderView* header, int column, std::vector<ColumnBeside> giving_way);
+  NameColumn(QAbstractItemView* view, QHeaderView* header, int column, std::vector<ColumnBeside> shrinking);
 
   int column() const { return column_; }
   /// How wide it has to be to show every name in view.

@@ -95,12 +95,12 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   connect(dock_, &OverlaysDock::locateWanted, this, &OverlaysController::locate);
   connect(dock_, &OverlaysDock::wayWanted, this, &OverlaysController::showWay);
   connect(dock_->flaws(), &OverlayFlaws::optionsChanged, this, [this] {
-    ++ways_;
+    ++way_requests_;
     way_.show({});
     check();
   });
   connect(&editing_, &OverlayEditing::selectionChanged, this, [this] {
-    ++ways_;
+    ++way_requests_;
     way_.show({});
   });
   connect(dock_, &OverlaysDock::placeWanted, this, [this](const Eigen::Vector2d& at_m) {
@@ -400,7 +400,7 @@ void OverlaysController::reportHeld() {
 
 void OverlaysController::onChange() {
   onEdited();
-  ++ways_;
+  ++way_requests_;
   way_.show({});
   states_.show(editing_.isOpen() ? stateMarksOf(editing_.document()) : std::vector<OverlayMark>());
   check();
@@ -457,13 +457,13 @@ void OverlaysController::showWay(FeatureKey key) {
   const auto keys = editing_.document().keysOfMine();
   const auto at = std::find(keys.begin(), keys.end(), key);
   if (at == keys.end() || !session_) return;
-  share_.startLong([this, asked = ++ways_, index = std::size_t(at - keys.begin()), options = checkOptions(),
-                    document = editing_.document().mine()] {
+  share_.startLong([this, asked = ++way_requests_, index = std::size_t(at - keys.begin()),
+                    options = checkOptions(), document = editing_.document().mine()] {
     const auto way = overlays::wayTo(index, document, options.map, options.radius_m);
     QMetaObject::invokeMethod(
         this,
         [this, asked, way] {
-          if (asked != ways_ || !way) return;
+          if (asked != way_requests_ || !way) return;
           way_.show(marksOf(*way));
           geometry::WorldRect area;
           for (const Eigen::Vector2d& point : way->blocked) area.extend(point);

@@ -137,7 +137,7 @@ class OverlaysController : public EditorController {
   QPointer<OverlayReview> review_;
   bool checking_ = false, check_again_ = false;
   std::shared_ptr<const grids::GridPyramid> checked_cells_;  // of the map that was checked last
-  quint64 ways_ = 0;                                         // counts those that were asked for
+  quint64 way_requests_ = 0;                                 // counts those that were asked for
   work::Tasks share_;                                        // last
 };
 

@@ -293,8 +293,8 @@ bool PictureController::opening() const {
   const MapSlot& slot = session_->wholeMap();
   if (cell_check_.cells && cell_check_.cells == slot.cells() && !cell_check_.done) return true;
   if (!wanted_map_) return false;
-  const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
-  return on_its_way && slot.key() == *wanted_map_;
+  const bool coming = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
+  return coming && slot.key() == *wanted_map_;
 }
 
 void PictureController::reportForgotten() {

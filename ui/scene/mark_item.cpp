@@ -69,8 +69,8 @@ void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     const QPointF at = toPoint(context_.view.pixelFromWorld(*context_.marker));
     strokeTwice(*painter, context_.theme, 2, [&] {
       painter->drawEllipse(at, 7, 7);
-      for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-        painter->drawLine(at + way * 4, at + way * kCrossPx);
+      for (const QPointF& direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+        painter->drawLine(at + direction * 4, at + direction * kCrossPx);
     });
   }
 }

@@ -220,7 +220,7 @@ void RosLink::begin() {
   deliveries_.beginAnew();
   reception_ = {};
   least_late_s_.reset();
-  before_ = outputs_->mailbox.replaced() + world_.gaveWay();
+  before_ = outputs_->mailbox.replaced() + world_.replaced();
   world_.forgetAll();
   reportUnplacedMarkers();
   kabam_.state().forget();
@@ -462,7 +462,7 @@ void RosLink::notifyReception() {
   if (reception_told_.isValid() && reception_told_.elapsed() < kReceptionEveryMs) return;
   reception_told_.start();
   Reception now = reception_;
-  now.dropped = qint64(outputs_->mailbox.replaced() + world_.gaveWay() - before_);
+  now.dropped = qint64(outputs_->mailbox.replaced() + world_.replaced() - before_);
   for (const auto& [pair, age_s] : world_.ages(wall())) {
     if (now.transforms.size() == kMostAges) break;
     now.transforms.push_back(

@@ -149,7 +149,7 @@ class RosLink : public wire::RobotLink {
   QTimer look_timer_, pose_timer_, overdue_timer_;
   std::map<std::string, int> unplaced_markers_;  // as they were told
   Reception reception_;                          // of this connection, but for the transforms
-  std::size_t before_ = 0;                       // what made way on connections before
+  std::size_t before_ = 0;                       // what was replaced on connections before
   std::optional<double> least_late_s_;           // arrival less stamp, at best
   QElapsedTimer reception_told_;
   bool wanted_ = false;

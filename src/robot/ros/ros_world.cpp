@@ -481,7 +481,7 @@ void RosWorld::onContent(const Source& source, Content content, WorldResult& res
   // One that cannot be placed makes room for the next, and so does the oldest of too many.
   if (!queue.told && queue.messages.size() <= kWaiting) return;
   queue.messages.pop_front();
-  ++gave_way_;
+  ++replaced_;
 }
 
 WorldResults RosWorld::placeWaiting() {

@@ -109,7 +109,7 @@ class RosWorld {
   /// Of the robot that is shown.
   const Transforms& transforms() const { return transforms_.robot(); }
   /// Messages replaced by newer ones while waiting for a transform.
-  std::size_t gaveWay() const { return gave_way_; }
+  std::size_t replaced() const { return replaced_; }
   /// The age of the newest stamp of each pair at `now_s` (as received), by the robot's clock; oldest first.
   std::vector<std::pair<Transforms::Newest, double>> ages(double now_s) const;
   /// Where scans in `frame` are shown while nothing relates it to other frames: its root.
@@ -177,7 +177,7 @@ class RosWorld {
   bool earlier_ = false;  // addEarlier()
   SeenMarkers markers_;
   double markers_looked_s_ = 0;
-  std::size_t gave_way_ = 0;
+  std::size_t replaced_ = 0;
 };
 
 }  // namespace mapwright::robot::ros
