@@ -10,14 +10,14 @@
 namespace test_label_plan {
 
 using namespace mapwright::scene;
-using Place = LabelWish::Place;
+using Position = LabelWish::Position;
 
 namespace {
 
 constexpr QSizeF kText(60, 13);
 
 LabelWish wish(std::uint64_t key, double x, double y, LabelRank rank = LabelRank::Waypoint) {
-  return {key, rank, Place::Beside, QRectF(x - 5, y - 5, 10, 10), kText};
+  return {key, rank, Position::Beside, QRectF(x - 5, y - 5, 10, 10), kText};
 }
 
 LabelTask task(std::vector<LabelWish> wishes) {
@@ -119,7 +119,7 @@ class LabelPlanTest : public QObject {
   void whatRanksHigherComesFirst() {
     // They lie in one place: one of them has no room at all.
     LabelTask two = task({wish(1, 300, 300, LabelRank::Landmark), wish(2, 300, 300, LabelRank::Door)});
-    two.wishes[0].place = two.wishes[1].place = Place::Within;
+    two.wishes[0].position = two.wishes[1].position = Position::Within;
     for (LabelWish& one : two.wishes) one.mark = QRectF(260, 290, 80, 20);
     two.symbols.clear();
     LabelPlan plan = placeLabels(two);
@@ -160,7 +160,7 @@ class LabelPlanTest : public QObject {
 
   void whatIsChosenIsNamedHoweverSmallItIs() {
     LabelTask small = task({wish(1, 300, 300)});
-    small.wishes[0].place = Place::Within;
+    small.wishes[0].position = Position::Within;
     QVERIFY(placeLabels(small).labels.empty());
     small.wishes[0].rank = LabelRank::Chosen;
     QCOMPARE(placeLabels(small).labels.size(), std::size_t(1));
@@ -168,7 +168,7 @@ class LabelPlanTest : public QObject {
 
   void aLabelWithinAnAreaStaysInIt() {
     LabelTask area = task({wish(1, 300, 300, LabelRank::Region)});
-    area.wishes[0].place = Place::Within;
+    area.wishes[0].position = Position::Within;
     area.wishes[0].mark = QRectF(250, 275, 100, 50);
     area.symbols = {QRectF(290, 295, 20, 10)};  // in its middle
     const LabelPlan plan = placeLabels(area);
@@ -232,7 +232,7 @@ class LabelPlanTest : public QObject {
 
   void oneThatHadNoRoomComesBackOnlyWhenThereIsPlenty() {
     LabelTask one = task({wish(1, 300, 300)});
-    one.wishes[0].place = Place::Over;
+    one.wishes[0].position = Position::Over;
     const QRectF around = QRectF(240, 270, 120, 60);
     one.symbols = {around};
     LabelPlan plan = placeLabels(one);

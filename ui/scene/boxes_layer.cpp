@@ -153,7 +153,7 @@ class BoxesLayer : public SmallLayer {
       const QColor color = drawing.rgba ? colorFrom(*drawing.rgba) : colorOr(context_.theme.place);
       const QPointF at = toPoint(context_.view.pixelFromWorld(drawing.points[0]));
       // Readable like any other label.
-      labels.add(LabelWish::Place::Beside, LabelRank::Thing, QRectF(at - QPointF(1, 1), QSizeF(2, 2)), id,
+      labels.add(LabelWish::Position::Beside, LabelRank::Thing, QRectF(at - QPointF(1, 1), QSizeF(2, 2)), id,
                  shortName(drawing.text, kLongestText), readable(color, context_.theme));
     }
   }

@@ -31,7 +31,7 @@ class DoorsLayer : public SmallLayer {
       keepSmallClear(labels, mark);
       if (door.polygon.size() < 3 || !labels.named(mark)) continue;
       const QString state = shortName(door.state.empty() ? "unknown" : door.state);
-      labels.add(LabelWish::Place::Beside, LabelRank::Door, mark, i,
+      labels.add(LabelWish::Position::Beside, LabelRank::Door, mark, i,
                  door.name.empty() ? state : shortName(door.name) + QStringLiteral(": ") + state,
                  context_.theme.text);
     }

@@ -80,8 +80,8 @@ constexpr std::array<double, 3> kLines{0, -1, 1};  // above and below the middle
 bool isBeside(const LabelWish& wish) {
   const bool fits = wish.size.width() <= wish.mark.width() && wish.size.height() <= wish.mark.height();
   // What was chosen is named, however small it is.
-  return wish.place == LabelWish::Place::Beside ||
-         (wish.place == LabelWish::Place::Within && !fits && wish.rank == LabelRank::Chosen);
+  return wish.position == LabelWish::Position::Beside ||
+         (wish.position == LabelWish::Position::Within && !fits && wish.rank == LabelRank::Chosen);
 }
 
 int spotsOf(const LabelWish& wish) { return isBeside(wish) ? kBesideSpots : int(kLines.size()); }
@@ -190,7 +190,7 @@ class Placing {
 
   bool fits(const LabelWish& wish, int spot, double room) const {
     const QRectF box = boxAt(wish, spot);
-    if (wish.place == LabelWish::Place::Within && !isBeside(wish) &&
+    if (wish.position == LabelWish::Position::Within && !isBeside(wish) &&
         (box.top() < wish.mark.top() || box.bottom() > wish.mark.bottom() || box.width() > wish.mark.width()))
       return false;
     const QRectF roomy = box.adjusted(-room, -room, room, room);

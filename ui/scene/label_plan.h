@@ -13,19 +13,19 @@
 
 namespace mapwright::scene {
 
-/// Who gets a place first.
+/// Who is placed first.
 enum class LabelRank { Chosen, Robot, Waypoint, Door, Region, Landmark, Thing, Id };
 
-/// A label that needs a place. Viewport pixels.
+/// A label that is to be placed. Viewport pixels.
 struct LabelWish {
-  enum class Place {
+  enum class Position {
     Beside,  // next to the mark; farther away, with a leader line, where there is no room
     Within,  // in the mark, if it fits
     Over,    // on the middle of the mark, or a line above or below
   };
   std::uint64_t key = 0;  // the same in every frame, and of no other label
   LabelRank rank = LabelRank::Thing;
-  Place place = Place::Beside;
+  Position position = Position::Beside;
   QRectF mark;  // the area of what is named
   QSizeF size;  // of the text
   bool operator==(const LabelWish&) const = default;
@@ -46,10 +46,10 @@ struct LabelTask {
   std::vector<LabelWish> wishes;
   std::vector<QRectF> symbols;  // must not be covered
   QRectF view;
-  /// Scale and turn of the camera are those of the memory: what rests keeps its place while robots move, and
-  /// their names give way.
+  /// Scale and turn of the camera are those of the memory: what rests keeps its position while robots move,
+  /// and their names give way.
   bool steady = false;
-  /// And nothing else has changed: what has a place keeps it, whatever comes into view.
+  /// And nothing else has changed: what has a position keeps it, whatever comes into view.
   bool panned = false;
   bool operator==(const LabelTask&) const = default;
 };
@@ -60,14 +60,15 @@ struct LabelPlan {
 };
 
 /// Labels outside of the view by no more than this are placed as well, so that what comes into view while the
-/// map is dragged has its place already.
+/// map is dragged has its position already.
 inline constexpr double kLabelMarginPx = 320;
 
 /// No coordinate is an infinity or no number.
 bool isFinite(const QRectF& rect);
 
 /// No label covers another one, or a symbol. Those of higher rank come first; among equals, those that had a
-/// place, which they keep if they can; then in the order given. The same task and memory give the same plan.
+/// position, which they keep if they can; then in the order given. The same task and memory give the same
+/// plan.
 LabelPlan placeLabels(const LabelTask& task, const LabelMemory& before = {});
 
 }  // namespace mapwright::scene

@@ -27,14 +27,14 @@ bool LabelCollector::named(const QRectF& mark) const {
   return wishes_.size() < kMostFarAway && view_.intersects(mark);
 }
 
-void LabelCollector::add(LabelWish::Place place, LabelRank rank, const QRectF& mark, std::uint64_t id,
+void LabelCollector::add(LabelWish::Position position, LabelRank rank, const QRectF& mark, std::uint64_t id,
                          const QString& text, const QColor& color, bool struck_through) {
   if (text.isEmpty() || !isFinite(mark) || !area_.intersects(mark.adjusted(-1, -1, 1, 1))) return;
   const QSizeF size = sizeOf(text);
   // Ids of robots are not always unique.
   std::uint64_t key = qHashMulti(owner_, id);
   while (!keys_.insert(key).second) ++key;
-  wishes_.push_back({key, rank, place, mark, size});
+  wishes_.push_back({key, rank, position, mark, size});
   looks_.push_back({text, color, struck_through});
 }
 

@@ -38,8 +38,8 @@ class LabelCollector {
   bool named(const QRectF& mark) const;
 
   /// `id` tells the object from all others of this item, in every frame.
-  void add(LabelWish::Place place, LabelRank rank, const QRectF& mark, std::uint64_t id, const QString& text,
-           const QColor& color, bool struck_through = false);
+  void add(LabelWish::Position position, LabelRank rank, const QRectF& mark, std::uint64_t id,
+           const QString& text, const QColor& color, bool struck_through = false);
   void symbol(const QRectF& mark);
   /// The text has room in the mark.
   bool fits(const QString& text, const QRectF& mark) const;
@@ -69,7 +69,7 @@ class LabelCollector {
 /// GUI thread.
 class Labels {
  public:
-  /// A label in its place.
+  /// A label in its position.
   struct Drawn {
     QRectF box;
     QString text;

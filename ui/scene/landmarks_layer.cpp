@@ -40,7 +40,7 @@ class LandmarksLayer : public SmallLayer {
       const QRectF mark = diamondOf(landmark).boundingRect();
       labels.symbol(mark);
       if (!labels.named(mark)) continue;
-      labels.add(LabelWish::Place::Beside, LabelRank::Landmark, mark, qHash(QByteArrayView(landmark.id)),
+      labels.add(LabelWish::Position::Beside, LabelRank::Landmark, mark, qHash(QByteArrayView(landmark.id)),
                  shortName(landmark.id), context_.theme.text);
     }
   }

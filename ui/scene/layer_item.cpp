@@ -91,7 +91,7 @@ void labelPlace(LabelCollector& labels, const LayerContext& context, const Eigen
   const QRectF mark = QRectF(-kPlacePx, -kPlacePx, 2 * kPlacePx, 2 * kPlacePx)
                           .translated(toPoint(context.view.pixelFromWorld(world_m)));
   keepClear(labels, context, mark, yaw_rad);
-  if (labels.named(mark)) labels.add(LabelWish::Place::Beside, rank, mark, id, name, context.theme.text);
+  if (labels.named(mark)) labels.add(LabelWish::Position::Beside, rank, mark, id, name, context.theme.text);
 }
 
 LayerItem::LayerItem(const LayerContext& context, std::optional<FeaturesOf> of) : context_(context), of_(of) {

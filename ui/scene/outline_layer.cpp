@@ -65,7 +65,7 @@ class IdsLayer : public LayerItem {
       const auto square = [](double px) { return std::uint64_t(std::int64_t(std::floor(px / kSquarePx))); };
       const QPointF at = center - zero;
       if (!squares.insert(qHashMulti(0, square(at.x()), square(at.y()))).second) continue;
-      labels.add(LabelWish::Place::Over, LabelRank::Id, QRectF(center - QPointF(1, 1), QSizeF(2, 2)),
+      labels.add(LabelWish::Position::Over, LabelRank::Id, QRectF(center - QPointF(1, 1), QSizeF(2, 2)),
                  std::hash<map::SubmapId>()(id), QString::fromStdString(map::toText(id)),
                  translucent(context_.theme.text, outline.visible ? 255 : 170), !outline.visible);
     }
@@ -141,7 +141,7 @@ void HighlightItem::collectLabels(LabelCollector& labels) const {
     const auto it = context_.outlines.find(id);
     if (it == context_.outlines.end()) continue;
     const auto& corners = it->second.corners;
-    labels.add(LabelWish::Place::Within, LabelRank::Chosen,
+    labels.add(LabelWish::Position::Within, LabelRank::Chosen,
                toPolygon(context_.view, {corners.begin(), corners.end()}).boundingRect(),
                std::hash<map::SubmapId>()(id), QString::fromStdString(map::toText(id)),
                context_.theme.accent);

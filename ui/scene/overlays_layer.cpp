@@ -94,7 +94,7 @@ class OverlaysLayer : public LayerItem {
       constexpr double kRegionSymbolPx = 40;
       if (!labels.fits(nameOf(feature), bounds)) keepSmallClear(labels, bounds, kRegionSymbolPx);
       if (!labels.named(bounds)) continue;
-      labels.add(LabelWish::Place::Within, LabelRank::Region, bounds, id, nameOf(feature),
+      labels.add(LabelWish::Position::Within, LabelRank::Region, bounds, id, nameOf(feature),
                  regionColor(context_.theme, feature.type));
     }
   }

@@ -170,7 +170,7 @@ class SubmapProblems : public LayerItem {
       const QRectF badge = badgeArea(toPoint(context_.view.pixelFromWorld(mark.at_m)));
       labels.symbol(badge);
       if (!labels.isClose()) continue;
-      labels.add(LabelWish::Place::Beside, LabelRank::Thing, badge, std::hash<map::SubmapId>()(id),
+      labels.add(LabelWish::Position::Beside, LabelRank::Thing, badge, std::hash<map::SubmapId>()(id),
                  QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(id)), wordOf(mark.kind)),
                  readable(markColor(context_.theme, mark.kind), context_.theme));
     }

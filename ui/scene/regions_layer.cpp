@@ -174,8 +174,8 @@ void RegionGround::collectLabels(LabelCollector& labels) const {
     if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "empty");
     if (isBusy(region)) words = QCoreApplication::translate("scene", "being fetched…");
     if (hasFailed(region)) words = QCoreApplication::translate("scene", "fetch failed");
-    labels.add(LabelWish::Place::Within, LabelRank::Id, box, qHashMulti(0, region.key.x, region.key.y), words,
-               hasFailed(region) ? context_.theme.bad : context_.theme.text);
+    labels.add(LabelWish::Position::Within, LabelRank::Id, box, qHashMulti(0, region.key.x, region.key.y),
+               words, hasFailed(region) ? context_.theme.bad : context_.theme.text);
   }
 }
 

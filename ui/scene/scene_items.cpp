@@ -63,7 +63,7 @@ class MeasureItem : public LayerItem {
       return toPoint(context_.view.pixelFromWorld(points[i % count]));
     };
     const auto add = [&](const QRectF& beside, std::size_t id, const QString& text, const QColor& color) {
-      labels.add(LabelWish::Place::Beside, LabelRank::Chosen, beside, id, text, color);
+      labels.add(LabelWish::Position::Beside, LabelRank::Chosen, beside, id, text, color);
     };
     QRectF all;
     for (std::size_t i = 0; i < count; ++i) {
@@ -86,7 +86,7 @@ class MeasureItem : public LayerItem {
         add(mark, 1, lengthText(geometry::lengthOf(points)), context_.theme.measure);
     }
     if (ring) {
-      labels.add(LabelWish::Place::Within, LabelRank::Chosen, all, 1,
+      labels.add(LabelWish::Position::Within, LabelRank::Chosen, all, 1,
                  areaText(std::abs(geometry::signedAreaOf(points))), context_.theme.measure);
     }
   }

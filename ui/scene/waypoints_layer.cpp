@@ -147,7 +147,7 @@ class WaypointsLayer : public LayerItem {
       // The selected ones are named from far away, too, while they are few.
       const bool chosen = point.selected && std::size_t(selected) <= kMostChosen;
       if (!chosen && !labels.named(mark)) continue;
-      labels.add(LabelWish::Place::Beside, chosen ? LabelRank::Chosen : LabelRank::Waypoint, mark,
+      labels.add(LabelWish::Position::Beside, chosen ? LabelRank::Chosen : LabelRank::Waypoint, mark,
                  qHash(QByteArrayView(point.name)), shortName(point.name), context_.theme.text);
     }
   }
