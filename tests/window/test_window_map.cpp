@@ -218,7 +218,7 @@ class TestWindowMap : public QObject {
     const auto tall = [&](int px) {
       strip->setMinimumHeight(px);
       strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
-      part<MapOverlay>(window)->place();
+      part<MapOverlay>(window)->layOut();
     };
     // A map that is taller than wide, so that its top would reach under the strip.
     bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 0, 60)});
@@ -257,14 +257,14 @@ class TestWindowMap : public QObject {
     const auto show = [&](int px) {
       strip->setMinimumHeight(px);
       strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
-      part<MapOverlay>(window)->place();
+      part<MapOverlay>(window)->layOut();
     };
     show(120);
     QTRY_VERIFY(high() > 120);
     // A strip that goes is no reason to move the map.
     const auto lower = window.mapScene()->view();
     strip->setNotice(Mark::None, {}, {});
-    part<MapOverlay>(window)->place();
+    part<MapOverlay>(window)->layOut();
     QCOMPARE(window.mapScene()->view(), lower);
     // Never under the cursor.
     const QPoint at(200, 300);

@@ -56,7 +56,7 @@ struct Docks {
     for (const QString& name : names) {
       auto* const dock = new QDockWidget(name, &window);
       dock->setObjectName(name);
-      panels.add(dock, {.side = PanelPlace::Side::Left,
+      panels.add(dock, {.side = PanelPosition::Side::Left,
                         .tab = int(docks.size()),
                         .menu_rank = int(docks.size()) + 1,
                         .open = true});
@@ -124,7 +124,7 @@ class TestWindowParts : public QObject {
   void leavesNoLinesAroundWhatHasNothingToSay() {
     Actions actions;
     bool speaks = false;
-    actions.placeOnMapMenu({MapMenuGroup::Submap, 10}, [&](QMenu& menu, const Eigen::Vector2d&) {
+    actions.addToMapMenu({MapMenuGroup::Submap, 10}, [&](QMenu& menu, const Eigen::Vector2d&) {
       if (speaks) menu.addAction(QStringLiteral("x"))->setObjectName(QStringLiteral("submap"));
     });
     actions.add({.id = "fit", .text = QStringLiteral("Fit"), .map_menu = {MapMenuGroup::Look, 10}});

@@ -48,9 +48,9 @@ CloudsController::CloudsController(WindowContext& context, clouds::CloudStore& c
       section_dock_(new SectionDock(context.workers, &context.window)),
       section_tool_(new SectionTool(&context.scene, this)),
       region_tool_(new RegionTool(&context.scene, this)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 55, .menu_rank = 43, .open = false});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 55, .menu_rank = 43, .open = false});
   context_.panels.add(section_dock_,
-                      {.side = PanelPlace::Side::Bottom, .tab = 50, .menu_rank = 44, .open = false});
+                      {.side = PanelPosition::Side::Bottom, .tab = 50, .menu_rank = 44, .open = false});
   context_.tools.add(region_tool_, context_.actions.add({.id = "cloudRegion",
                                                          .text = tr("Fetch clou&d of region"),
                                                          .icon = "rectangle",

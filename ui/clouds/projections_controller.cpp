@@ -38,7 +38,7 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
       context_(context),
       dock_(new ProjectionsDock(&draft_, &context.window)),
       tool_(new ProjectionTool(&context.scene, &draft_, this)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 56,
                               .menu_rank = 44,
                               .open = false,

@@ -22,19 +22,20 @@ namespace mapwright::window {
 
 namespace {
 
-/// Items without a place come last.
+/// Items without a position come last.
 template <class Group>
-bool standsBefore(const Place<Group>& one, const Place<Group>& other) {
+bool standsBefore(const GroupPosition<Group>& one, const GroupPosition<Group>& other) {
   return std::tuple(one.rank == 0, one.group, one.rank) <
          std::tuple(other.rank == 0, other.group, other.rank);
 }
 
 template <class Group, class What>
-void insert(std::vector<Actions::Placed<Group, What>>& row, const Place<Group>& place, What what) {
-  const auto at = std::upper_bound(row.begin(), row.end(), place, [](const auto& wanted, const auto& other) {
-    return standsBefore(wanted, other.place);
-  });
-  row.insert(at, {place, std::move(what)});
+void insert(std::vector<Actions::Positioned<Group, What>>& row, const GroupPosition<Group>& position,
+            What what) {
+  const auto at = std::upper_bound(
+      row.begin(), row.end(), position,
+      [](const auto& wanted, const auto& other) { return standsBefore(wanted, other.position); });
+  row.insert(at, {position, std::move(what)});
 }
 
 /// "&Robot" is Robot, "R&&D" is R&D.
@@ -57,7 +58,7 @@ void makeToggle(QAction& action) {
 void Actions::enter(Entry entry) {
   const auto at = std::upper_bound(
       entries_.begin(), entries_.end(), entry,
-      [](const Entry& wanted, const Entry& other) { return standsBefore(wanted.place, other.place); });
+      [](const Entry& wanted, const Entry& other) { return standsBefore(wanted.position, other.position); });
   entries_.insert(at, std::move(entry));
 }
 
@@ -72,26 +73,26 @@ QAction* Actions::add(const ActionSpec& spec) {
   const bool in_menu = spec.menu.rank != 0;
   enter({in_menu ? withoutMnemonic(menuTitle(menuOf(spec.menu.group))) : QString(), action, spec.reach,
          spec.menu, spec.name});
-  if (in_menu) place(spec.menu, action);
+  if (in_menu) addToMenu(spec.menu, action);
   if (spec.bar.rank != 0) insert(on_bar_, spec.bar, BarItem{action, {}});
   if (spec.map_menu.rank != 0) {
-    placeOnMapMenu(spec.map_menu, [action](QMenu& menu, const Eigen::Vector2d&) { menu.addAction(action); });
+    addToMapMenu(spec.map_menu, [action](QMenu& menu, const Eigen::Vector2d&) { menu.addAction(action); });
   }
   return action;
 }
 
-void Actions::list(const MenuPlace& where, QAction* action) {
+void Actions::list(const MenuPosition& where, QAction* action) {
   enter({withoutMnemonic(menuTitle(menuOf(where.group))), action, Reach::Everywhere, where});
-  place(where, action);
+  addToMenu(where, action);
 }
 
-void Actions::place(const MenuPlace& where, QAction* action) { insert(in_menus_, where, action); }
+void Actions::addToMenu(const MenuPosition& where, QAction* action) { insert(in_menus_, where, action); }
 
-void Actions::placeOnBar(const BarPlace& where, WidgetMaker make) {
+void Actions::addToBar(const BarPosition& where, WidgetMaker make) {
   insert(on_bar_, where, BarItem{nullptr, std::move(make)});
 }
 
-void Actions::placeOnMapMenu(const MapMenuPlace& where, MapMenuFiller fill) {
+void Actions::addToMapMenu(const MapMenuPosition& where, MapMenuFiller fill) {
   insert(on_map_menu_, where, std::move(fill));
 }
 
@@ -158,7 +159,7 @@ void Actions::attach(QWidget* window, QWidget* map) {
 }
 
 Menu menuOf(MenuGroup group) {
-  if (group < MenuGroup::Places) return Menu::File;
+  if (group < MenuGroup::Robots) return Menu::File;
   if (group < MenuGroup::Undo) return Menu::Robot;
   if (group < MenuGroup::Zoom) return Menu::Edit;
   if (group < MenuGroup::Maps) return Menu::Map;
@@ -203,17 +204,17 @@ constexpr Menu kMenus[] = {Menu::Robot, Menu::Edit, Menu::Map, Menu::View, Menu:
 QString nameAlone(const Actions::Entry& entry) {
   if (!entry.name.isEmpty()) return entry.name;
   const QString text = plainActionText(*entry.action);
-  if (entry.place.rank == 0) {
+  if (entry.position.rank == 0) {
     // In a menu of its own, inside one of the bar's.
     const bool of_bar = std::any_of(std::begin(kMenus), std::end(kMenus), [&](Menu menu) {
       return entry.menu == withoutMnemonic(menuTitle(menu));
     });
     return of_bar || entry.menu.isEmpty() ? text : QStringLiteral("%1: %2").arg(entry.menu, text);
   }
-  if (entry.place.group == MenuGroup::Panels)
+  if (entry.position.group == MenuGroup::Panels)
     return QCoreApplication::translate("window", "Panel: %1").arg(text);
-  return entry.place.group == MenuGroup::Layouts
-             ? QStringLiteral("%1: %2").arg(submenuTitle(entry.place.group), text)
+  return entry.position.group == MenuGroup::Layouts
+             ? QStringLiteral("%1: %2").arg(submenuTitle(entry.position.group), text)
              : text;
 }
 
@@ -229,23 +230,23 @@ void fillMenuBar(QMenuBar& bar, const Actions& actions) {
   std::map<Menu, QMenu*> menus;
   std::map<MenuGroup, QMenu*> submenus;
   std::map<Menu, MenuGroup> last;
-  for (const auto& [place, action] : actions.inMenus()) {
-    const Menu which = menuOf(place.group);
+  for (const auto& [position, action] : actions.inMenus()) {
+    const Menu which = menuOf(position.group);
     QMenu*& menu = menus[which];
     if (!menu) {
       menu = bar.addMenu(menuTitle(which));
       menu->setToolTipsVisible(true);
-    } else if (last[which] != place.group &&
-               (submenuTitle(place.group).isEmpty() || submenuTitle(last[which]).isEmpty())) {
+    } else if (last[which] != position.group &&
+               (submenuTitle(position.group).isEmpty() || submenuTitle(last[which]).isEmpty())) {
       menu->addSeparator();  // adjacent submenus need none
     }
-    last[which] = place.group;
-    const QString title = submenuTitle(place.group);
+    last[which] = position.group;
+    const QString title = submenuTitle(position.group);
     if (title.isEmpty()) {
       menu->addAction(action);
       continue;
     }
-    QMenu*& submenu = submenus[place.group];
+    QMenu*& submenu = submenus[position.group];
     if (!submenu) {
       submenu = menu->addMenu(title);
       submenu->setToolTipsVisible(true);
@@ -256,27 +257,27 @@ void fillMenuBar(QMenuBar& bar, const Actions& actions) {
 
 void fillToolBar(QToolBar& bar, const Actions& actions) {
   std::optional<BarGroup> last;
-  for (const auto& [place, item] : actions.onBar()) {
-    if (last && *last < BarGroup::Layouts && place.group >= BarGroup::Layouts) {
+  for (const auto& [position, item] : actions.onBar()) {
+    if (last && *last < BarGroup::Layouts && position.group >= BarGroup::Layouts) {
       auto* gap = new QWidget(&bar);
       gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
       bar.addWidget(gap);
-    } else if (last && last != place.group) {
+    } else if (last && last != position.group) {
       bar.addSeparator();
     }
-    last = place.group;
+    last = position.group;
     item.make ? (void)bar.addWidget(item.make(&bar)) : bar.addAction(item.action);
   }
 }
 
 void fillMapMenu(QMenu& menu, const Actions& actions, const Eigen::Vector2d& world_m) {
   std::optional<MapMenuGroup> last;
-  for (const auto& [place, fill] : actions.onMapMenu()) {
-    QAction* const line = last && last != place.group ? menu.addSeparator() : nullptr;
+  for (const auto& [position, fill] : actions.onMapMenu()) {
+    QAction* const line = last && last != position.group ? menu.addSeparator() : nullptr;
     const qsizetype before = menu.actions().size();
     fill(menu, world_m);
     if (menu.actions().size() > before) {
-      last = place.group;
+      last = position.group;
     } else {
       delete line;
     }

@@ -39,7 +39,7 @@ enum class MenuGroup {
   Exports,
   Quit,
   // Robot
-  Places,
+  Robots,
   Link,
   Mapping,
   // Edit
@@ -75,13 +75,13 @@ enum class MapMenuGroup { Edit, Point, Submap, Copies, Look };
 /// A position within groups. Ranks increase within the group, with gaps (10, 20 …); equal ranks are in order
 /// of registration.
 template <class Group>
-struct Place {
+struct GroupPosition {
   Group group = {};
   int rank = 0;  // 0 = nowhere
 };
-using MenuPlace = Place<MenuGroup>;
-using BarPlace = Place<BarGroup>;
-using MapMenuPlace = Place<MapMenuGroup>;
+using MenuPosition = GroupPosition<MenuGroup>;
+using BarPosition = GroupPosition<BarGroup>;
+using MapMenuPosition = GroupPosition<MapMenuGroup>;
 
 /// The properties of an action; omitted ones do not apply.
 struct ActionSpec {
@@ -96,9 +96,9 @@ struct ActionSpec {
   bool needs_session = false;  // disabled while no robot or file is open
   /// The same, and while files are open that lack this, with the reason.
   std::optional<robot::Capability> needs_of_robot = {};
-  MenuPlace menu = {};
-  BarPlace bar = {};
-  MapMenuPlace map_menu = {};
+  MenuPosition menu = {};
+  BarPosition bar = {};
+  MapMenuPosition map_menu = {};
 };
 
 class Actions : public QObject {
@@ -108,15 +108,15 @@ class Actions : public QObject {
     QString menu;  // "View": its menu, and its heading in the shortcut sheet
     QAction* action;
     Reach reach;
-    MenuPlace place = {};
+    MenuPosition position = {};
     QString name = {};  // see ActionSpec
   };
   /// Adds entries to the map's context menu at a point, world metres, if there are any.
   using MapMenuFiller = std::function<void(QMenu& menu, const Eigen::Vector2d& world_m)>;
   using WidgetMaker = std::function<QWidget*(QWidget* parent)>;
   template <class Group, class What>
-  struct Placed {
-    Place<Group> place;
+  struct Positioned {
+    GroupPosition<Group> position;
     What what;
   };
   /// One or the other.
@@ -143,19 +143,19 @@ class Actions : public QObject {
   /// Deletes an action outside of menus.
   void remove(QAction* action);
   /// An action owned by someone else, without shortcuts: added to its menu and to the lists.
-  void list(const MenuPlace& place, QAction* action);
+  void list(const MenuPosition& position, QAction* action);
   /// The same, but only in its menu, for example a submenu.
-  void place(const MenuPlace& place, QAction* action);
+  void addToMenu(const MenuPosition& position, QAction* action);
   /// A widget on the tool bar, made together with the bar.
-  void placeOnBar(const BarPlace& place, WidgetMaker make);
-  void placeOnMapMenu(const MapMenuPlace& place, MapMenuFiller fill);
+  void addToBar(const BarPosition& position, WidgetMaker make);
+  void addToMapMenu(const MapMenuPosition& position, MapMenuFiller fill);
 
   /// In the order of the menus.
   const std::vector<Entry>& entries() const { return entries_; }
   QAction* find(const QString& id) const;  // null = none
-  const std::vector<Placed<MenuGroup, QAction*>>& inMenus() const { return in_menus_; }
-  const std::vector<Placed<BarGroup, BarItem>>& onBar() const { return on_bar_; }
-  const std::vector<Placed<MapMenuGroup, MapMenuFiller>>& onMapMenu() const { return on_map_menu_; }
+  const std::vector<Positioned<MenuGroup, QAction*>>& inMenus() const { return in_menus_; }
+  const std::vector<Positioned<BarGroup, BarItem>>& onBar() const { return on_bar_; }
+  const std::vector<Positioned<MapMenuGroup, MapMenuFiller>>& onMapMenu() const { return on_map_menu_; }
 
   /// Disables actions that need a session while there is none. Null: nothing is open.
   void setSession(robot::Robot* robot);
@@ -173,10 +173,10 @@ class Actions : public QObject {
   std::vector<Entry> entries_;
   std::vector<QAction*> need_session_;
   std::vector<std::pair<QAction*, robot::Capability>> need_of_robot_;
-  // Each in the order of its places.
-  std::vector<Placed<MenuGroup, QAction*>> in_menus_;
-  std::vector<Placed<BarGroup, BarItem>> on_bar_;
-  std::vector<Placed<MapMenuGroup, MapMenuFiller>> on_map_menu_;
+  // Each in the order of its positions.
+  std::vector<Positioned<MenuGroup, QAction*>> in_menus_;
+  std::vector<Positioned<BarGroup, BarItem>> on_bar_;
+  std::vector<Positioned<MapMenuGroup, MapMenuFiller>> on_map_menu_;
 };
 
 Menu menuOf(MenuGroup group);

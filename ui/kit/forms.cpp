@@ -223,7 +223,7 @@ QString tooLargeText(const QString& typed, const QString& most) {
 namespace {
 
 /// Where a note covers no other field, or few: above or below its field, else beside the panel.
-QPoint placeBeside(const QAbstractSpinBox& field, const QSize& size) {
+QPoint positionBeside(const QAbstractSpinBox& field, const QSize& size) {
   const QWidget* const window = field.window();
   const QRect at(field.mapTo(window, QPoint()), field.size());
   const QWidget* panel = &field;
@@ -238,9 +238,9 @@ QPoint placeBeside(const QAbstractSpinBox& field, const QSize& size) {
                                QPoint(at.left(), below), QPoint(at.right() + 1 - size.width(), below),
                                QPoint(around.left() - size.width() - kNoteGapPx, middle),
                                QPoint(around.right() + 1 + kNoteGapPx, middle)}) {
-    const QPoint place(std::clamp(wanted.x(), 0, std::max(0, window->width() - size.width())),
-                       std::clamp(wanted.y(), 0, std::max(0, window->height() - size.height())));
-    const QRect note(place, size);
+    const QPoint corner(std::clamp(wanted.x(), 0, std::max(0, window->width() - size.width())),
+                        std::clamp(wanted.y(), 0, std::max(0, window->height() - size.height())));
+    const QRect note(corner, size);
     qint64 covered = 0;
     for (const QWidget* const other : window->findChildren<QWidget*>()) {
       const bool field_or_button = other->inherits("QAbstractSpinBox") || other->inherits("QLineEdit") ||
@@ -250,7 +250,7 @@ QPoint placeBeside(const QAbstractSpinBox& field, const QSize& size) {
       covered += qint64(shared.width()) * shared.height();
     }
     if (!best || covered < least) {
-      best = place;
+      best = corner;
       least = covered;
     }
   }
@@ -282,7 +282,7 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
   note->setAccessibleName(note->text());
   setTextColor(*note, appColors().error_text);
   note->adjustSize();
-  note->move(placeBeside(field, note->size()));
+  note->move(positionBeside(field, note->size()));
   note->show();
   note->raise();
   note->findChild<QTimer*>()->start(kNoteMs);

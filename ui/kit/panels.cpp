@@ -26,7 +26,7 @@ namespace mapwright::window {
 
 namespace {
 
-using Side = PanelPlace::Side;
+using Side = PanelPosition::Side;
 
 struct Edge {
   Side side;
@@ -117,7 +117,7 @@ bool Panels::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-void Panels::add(QDockWidget* dock, const PanelPlace& place) {
+void Panels::add(QDockWidget* dock, const PanelPosition& position) {
   giveTitle(dock);
   if (QWidget* const body = dock->widget()) {
     orderTabsAsLaidOut(*body);
@@ -125,7 +125,7 @@ void Panels::add(QDockWidget* dock, const PanelPlace& place) {
     if (!isScrolled(*dock)) setScrolledWidget(*dock, body);
   }
   QAction* const toggle = dock->toggleViewAction();
-  actions_.list({MenuGroup::Panels, place.menu_rank}, toggle);
+  actions_.list({MenuGroup::Panels, position.menu_rank}, toggle);
   // The user wants to see the panel, not the tab in front of it: also if it was open, behind that. Before
   // QDockWidget is triggered, which closes it.
   connect(toggle, &QAction::toggled, dock, [this, dock](bool on) {
@@ -137,9 +137,10 @@ void Panels::add(QDockWidget* dock, const PanelPlace& place) {
     dock->show();
     QMetaObject::invokeMethod(dock, &QDockWidget::raise, Qt::QueuedConnection);
   });
-  const auto at = std::upper_bound(panels_.begin(), panels_.end(), place.menu_rank,
-                                   [](int rank, const Panel& panel) { return rank < panel.place.menu_rank; });
-  panels_.insert(at, {dock, place});
+  const auto at =
+      std::upper_bound(panels_.begin(), panels_.end(), position.menu_rank,
+                       [](int rank, const Panel& panel) { return rank < panel.position.menu_rank; });
+  panels_.insert(at, {dock, position});
 }
 
 std::vector<QDockWidget*> Panels::docks() const {
@@ -170,10 +171,10 @@ std::vector<std::vector<Panels::Panel>> Panels::stacksOn(Side side) const {
   }
   std::vector<Panel> others;
   std::copy_if(panels_.begin(), panels_.end(), std::back_inserter(others), [&](const Panel& panel) {
-    return panel.place.side == side && !named.contains(panel.dock->objectName());
+    return panel.position.side == side && !named.contains(panel.dock->objectName());
   });
   std::stable_sort(others.begin(), others.end(),
-                   [](const Panel& a, const Panel& b) { return a.place.tab < b.place.tab; });
+                   [](const Panel& a, const Panel& b) { return a.position.tab < b.position.tab; });
   if (stacks.empty() && !others.empty()) stacks.emplace_back();
   // Where there is the most room.
   if (!others.empty()) stacks[largest].insert(stacks[largest].end(), others.begin(), others.end());
@@ -187,12 +188,12 @@ const Layout::Stack* Panels::stackOf(const QDockWidget* dock) const {
   return stack == layout_.stacks.end() ? nullptr : &*stack;
 }
 
-bool Panels::opensAtFirst(const Panel& panel) const { return panel.place.open || stackOf(panel.dock); }
+bool Panels::opensAtFirst(const Panel& panel) const { return panel.position.open || stackOf(panel.dock); }
 
 void Panels::arrange(const Layout& layout) {
   layout_ = layout;
   window_.setUpdatesEnabled(false);
-  place();
+  layOut();
   window_.setUpdatesEnabled(true);
   restored_ = false;
   // Which tab is in front is only known after layout.
@@ -213,7 +214,7 @@ void Panels::raiseFirst() {
   }
 }
 
-void Panels::place() {
+void Panels::layOut() {
   window_.setCorner(Qt::BottomRightCorner,
                     layout_.wide_bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
   for (const Panel& panel : panels_) {
@@ -293,13 +294,13 @@ void Panels::suggest(QDockWidget* dock) {
 }
 
 void Panels::standBack() {
-  const auto idle = [](const Panel& panel) { return panel.place.idle && panel.place.idle(); };
+  const auto idle = [](const Panel& panel) { return panel.position.idle && panel.position.idle(); };
   for (const Panel& panel : panels_) {
     const bool in_front = panel.dock->isVisible() && !panel.dock->visibleRegion().isEmpty();
     if (!in_front || !idle(panel)) continue;
     const QList<QDockWidget*> tabs = window_.tabifiedDockWidgets(panel.dock);
     std::vector<Panel> others;
-    for (const auto& stack : stacksOn(panel.place.side))
+    for (const auto& stack : stacksOn(panel.position.side))
       others.insert(others.end(), stack.begin(), stack.end());
     const auto next = std::find_if(others.begin(), others.end(), [&](const Panel& other) {
       return tabs.contains(other.dock) && !other.dock->isHidden() && !idle(other);

@@ -1,4 +1,4 @@
-// The docks of the window: their original places, which are open, and which tab is in front.
+// The docks of the window: their original positions, which are open, and which tab is in front.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ namespace mapwright::window {
 
 class Actions;
 
-/// The place of a dock where no layout names it: a tab at the end of its side.
-struct PanelPlace {
+/// The position of a dock where no layout names it: a tab at the end of its side.
+struct PanelPosition {
   enum class Side { Left, Right, Bottom };
   Side side = Side::Left;
   int tab = 0;        // its rank among those tabs
@@ -28,9 +28,9 @@ struct PanelPlace {
 
 /// An arrangement of the docks for one kind of work: which are open at first, and where.
 struct Layout {
-  /// Tabs in one place.
+  /// Tabs in one area.
   struct Stack {
-    PanelPlace::Side side = PanelPlace::Side::Left;
+    PanelPosition::Side side = PanelPosition::Side::Left;
     QStringList docks;         // by object name; the first one is in front
     int share = 1;             // of the length of its side
     bool keeps_front = false;  // whatever is suggested
@@ -49,7 +49,7 @@ class Panels : public QObject {
   Panels(QMainWindow& window, Actions& actions);
 
   /// Not owned. Gives the dock, which is complete, its title bar and lists it in the View menu.
-  void add(QDockWidget* dock, const PanelPlace& place);
+  void add(QDockWidget* dock, const PanelPosition& position);
   /// In the order of the View menu.
   std::vector<QDockWidget*> docks() const;
 
@@ -70,19 +70,19 @@ class Panels : public QObject {
   void standBack();
 
  Q_SIGNALS:
-  /// All docks are in their original places: suggest a more useful one than the last tab now.
+  /// All docks are in their original positions: suggest a more useful one than the last tab now.
   void arranged();
 
  private:
   struct Panel {
     QDockWidget* dock;
-    PanelPlace place;
+    PanelPosition position;
   };
   /// The stacks of a side, docks that the layout does not name at the end of the last one.
-  std::vector<std::vector<Panel>> stacksOn(PanelPlace::Side side) const;
+  std::vector<std::vector<Panel>> stacksOn(PanelPosition::Side side) const;
   const Layout::Stack* stackOf(const QDockWidget* dock) const;  // null: the layout does not name it
   bool opensAtFirst(const Panel& panel) const;
-  void place();
+  void layOut();
   void share();
   void raiseFirst();
   /// Changes with the set of docks, so that an old state is not applied to a new layout.

@@ -13,23 +13,23 @@ WrappingRow::WrappingRow(const QMargins& margins, int spacing) {
 }
 
 WrappingRow::~WrappingRow() {
-  for (const Item& place : places_) delete place.item;
+  for (const Item& each : items_) delete each.item;
 }
 
 void WrappingRow::add(QWidget* widget, int stretch, int wanted_px) {
   addChildWidget(widget);
-  places_.push_back({new QWidgetItem(widget), stretch, wanted_px});
+  items_.push_back({new QWidgetItem(widget), stretch, wanted_px});
 }
 
-void WrappingRow::addItem(QLayoutItem* item) { places_.push_back({item, 0, -1}); }
+void WrappingRow::addItem(QLayoutItem* item) { items_.push_back({item, 0, -1}); }
 
 QLayoutItem* WrappingRow::itemAt(int index) const {
-  return index >= 0 && index < count() ? places_[std::size_t(index)].item : nullptr;
+  return index >= 0 && index < count() ? items_[std::size_t(index)].item : nullptr;
 }
 
 QLayoutItem* WrappingRow::takeAt(int index) {
   QLayoutItem* const item = itemAt(index);
-  if (item) places_.erase(places_.begin() + index);
+  if (item) items_.erase(items_.begin() + index);
   return item;
 }
 
@@ -39,8 +39,8 @@ int WrappingRow::Item::width() const {
 
 QSize WrappingRow::sizeHint() const {
   int width = 0;
-  for (const Item& place : places_)
-    if (!place.item->isEmpty()) width += (width > 0 ? spacing() : 0) + place.width();
+  for (const Item& each : items_)
+    if (!each.item->isEmpty()) width += (width > 0 ? spacing() : 0) + each.width();
   const QMargins around = contentsMargins();
   width += around.left() + around.right();
   return {width, heightForWidth(width)};
@@ -48,8 +48,8 @@ QSize WrappingRow::sizeHint() const {
 
 QSize WrappingRow::minimumSize() const {
   QSize least;
-  for (const Item& place : places_)
-    if (!place.item->isEmpty()) least = least.expandedTo(place.item->minimumSize());
+  for (const Item& each : items_)
+    if (!each.item->isEmpty()) least = least.expandedTo(each.item->minimumSize());
   return least.grownBy(contentsMargins());
 }
 
@@ -61,11 +61,11 @@ void WrappingRow::setGeometry(const QRect& rect) {
 int WrappingRow::arrange(const QRect& rect, bool apply) const {
   const QRect area = rect.marginsRemoved(contentsMargins());
   int top = area.top();
-  for (auto first = places_.begin(); first != places_.end();) {
+  for (auto first = items_.begin(); first != items_.end();) {
     // As many as fit; one always does.
     int used = 0, stretches = 0, height = 0, shown = 0;
     auto last = first;
-    for (; last != places_.end(); ++last) {
+    for (; last != items_.end(); ++last) {
       if (last->item->isEmpty()) continue;
       const int more = (shown > 0 ? spacing() : 0) + last->width();
       if (shown > 0 && used + more > area.width()) break;

@@ -17,7 +17,7 @@ class WrappingRow : public QLayout {
   void add(QWidget* widget, int stretch = 0, int wanted_px = -1);
 
   void addItem(QLayoutItem* item) override;
-  int count() const override { return int(places_.size()); }
+  int count() const override { return int(items_.size()); }
   QLayoutItem* itemAt(int index) const override;
   QLayoutItem* takeAt(int index) override;
   Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
@@ -37,7 +37,7 @@ class WrappingRow : public QLayout {
   /// Returns the height.
   int arrange(const QRect& rect, bool apply) const;
 
-  std::vector<Item> places_;
+  std::vector<Item> items_;
 };
 
 }  // namespace mapwright::window

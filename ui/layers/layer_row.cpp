@@ -56,9 +56,9 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   eye_->setIconSize({16, 16});
   eye_->setFixedSize(kLayerRowPx, kLayerRowPx);
   eye_->setFocusPolicy(Qt::TabFocus);
-  QSizePolicy eye_place = eye_->sizePolicy();
-  eye_place.setRetainSizeWhenHidden(true);
-  eye_->setSizePolicy(eye_place);
+  QSizePolicy eye_policy = eye_->sizePolicy();
+  eye_policy.setRetainSizeWhenHidden(true);
+  eye_->setSizePolicy(eye_policy);
   eye_->setAccessibleName(tr("Show %1").arg(title));
   name_->setFixedHeight(kLayerRowPx);
   name_->setSample(QStringLiteral("xxxx"));  // the row must not determine the dock's width
@@ -82,9 +82,9 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     settings_->setFocusPolicy(Qt::TabFocus);
     settings_->setToolTip(scene::chosenStream(layer) ? tr("Colour, topic and more")
                                                      : tr("Colour, size and more"));
-    QSizePolicy place = settings_->sizePolicy();
-    place.setRetainSizeWhenHidden(true);
-    settings_->setSizePolicy(place);
+    QSizePolicy policy = settings_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    settings_->setSizePolicy(policy);
     settings_->setAccessibleName(tr("Settings of %1").arg(title));
     head->addWidget(settings_);
     connect(settings_, &QToolButton::toggled, this, &LayerRow::fold);

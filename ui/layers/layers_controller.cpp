@@ -41,8 +41,9 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
       presets_(new PresetMenu(context.scene, context.settings, context.actions, context.window, this)),
       modes_(new QActionGroup(this)),
       colors_(new QActionGroup(this)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 20, .menu_rank = 20});
-  context_.panels.add(legend_, {.side = PanelPlace::Side::Left, .tab = 30, .menu_rank = 25, .open = false});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Left, .tab = 20, .menu_rank = 20});
+  context_.panels.add(legend_,
+                      {.side = PanelPosition::Side::Left, .tab = 30, .menu_rank = 25, .open = false});
   dock_->setPresets(presets_->menu());
   context_.findings.add([this]() -> Findings::Search {
     return [this](const QString&, const Findings::See& see) {

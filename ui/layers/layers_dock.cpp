@@ -71,7 +71,7 @@ LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
       {rowOf({{filter_, 1}, in_order_, presets_}, 4, QMargins(6, 6, 6, 2)), {scroll_, 1}, solo_strip_}, 0,
       QMargins(0, 0, 0, 0)));
   setWidget(whole);
-  place();
+  layOut();
   connect(scene_, &scene::MapScene::layersChanged, this, &LayersDock::sync);
   updateCounts();
 }
@@ -96,7 +96,7 @@ void LayersDock::makeHead() {
   solo_strip_->setObjectName(QStringLiteral("soloStrip"));
   solo_strip_->setLayout(rowOf({{solo_text_, 1}, solo_end_}, 6, QMargins(8, 2, 6, 2)));
   solo_strip_->hide();
-  connect(filter_, &QLineEdit::textChanged, this, &LayersDock::place);
+  connect(filter_, &QLineEdit::textChanged, this, &LayersDock::layOut);
   connect(in_order_, &QToolButton::toggled, this, [this](bool on) { setGrouped(!on); });
   connect(solo_end_, &QPushButton::clicked, this, &LayersDock::endSolo);
 }
@@ -157,7 +157,7 @@ void LayersDock::updateAvailability() {
     updateTopics(row);
   }
   if (!changed) return;
-  place();
+  layOut();
   updateCounts();
 }
 
@@ -195,14 +195,14 @@ bool LayersDock::fits(const LayerRow& row) const {
 
 void LayersDock::put(QWidget* widget) {
   column_->addWidget(widget);
-  placed_.insert(widget);
+  laid_out_.insert(widget);
   if (widget->focusPolicy() & Qt::TabFocus) steps_.push_back(widget);
 }
 
-void LayersDock::place() {
+void LayersDock::layOut() {
   while (QLayoutItem* item = column_->takeAt(0)) delete item;
   steps_.clear();
-  placed_.clear();
+  laid_out_.clear();
   const bool filtered = !filter_->text().trimmed().isEmpty();
   const auto belongs = [&](const LayerRow* row, LayerGroup group) {
     return row->unavailable().isEmpty() && fits(*row) &&
@@ -218,18 +218,18 @@ void LayersDock::place() {
     }
     if (!grouped_) break;
   }
-  placeUnavailable();
+  layOutUnavailable();
   nothing_->setText(tr("There is no layer called “%1”.").arg(filter_->text().trimmed()));
   if (steps_.empty()) put(nothing_);
   column_->addStretch(1);
-  for (QWidget* const row : rows_) row->setVisible(placed_.contains(row));
-  for (const auto& [group, header] : headers_) header->setVisible(placed_.contains(header));
-  unavailable_->setVisible(placed_.contains(unavailable_));
-  nothing_->setVisible(placed_.contains(nothing_));
+  for (QWidget* const row : rows_) row->setVisible(laid_out_.contains(row));
+  for (const auto& [group, header] : headers_) header->setVisible(laid_out_.contains(header));
+  unavailable_->setVisible(laid_out_.contains(unavailable_));
+  nothing_->setVisible(laid_out_.contains(nothing_));
   orderTabsAsLaidOut(*widget());
 }
 
-void LayersDock::placeUnavailable() {
+void LayersDock::layOutUnavailable() {
   for (QLabel* const label : reasons_) delete label;
   reasons_.clear();
   std::vector<LayerRow*> lacking;
@@ -291,7 +291,7 @@ void LayersDock::sync() {
     std::vector<LayerRow*> sorted;
     for (auto it = order.rbegin(); it != order.rend(); ++it) sorted.push_back(row(*it));
     rows_ = std::move(sorted);
-    place();
+    layOut();
   }
   for (LayerRow* row : rows_) row->sync();
   updateCounts();
@@ -301,24 +301,24 @@ void LayersDock::setGrouped(bool grouped) {
   if (grouped == grouped_) return;
   grouped_ = grouped;
   in_order_->setChecked(!grouped);
-  place();
+  layOut();
 }
 
 void LayersDock::setFolded(bool folded) {
   for (const auto& [group, header] : headers_) header->setOpen(!folded);
-  place();
+  layOut();
 }
 
 void LayersDock::fold(FoldHeader* header, bool open) {
   if (header->open() == open) return;
   header->setOpen(open);
-  place();
+  layOut();
 }
 
 std::vector<LayerRow*> LayersDock::peers(const LayerRow* row) const {
   std::vector<LayerRow*> found;
   for (LayerRow* const other : rows_) {
-    if (!placed_.contains(other) || !other->unavailable().isEmpty()) continue;
+    if (!laid_out_.contains(other) || !other->unavailable().isEmpty()) continue;
     if (!grouped_ || scene::specOf(other->layer()).group == scene::specOf(row->layer()).group)
       found.push_back(other);
   }
@@ -326,16 +326,16 @@ std::vector<LayerRow*> LayersDock::peers(const LayerRow* row) const {
 }
 
 // It comes to lie next to the one that it has passed: the order of all others stays.
-void LayersDock::putAt(LayerRow* row, std::size_t place_among_peers) {
+void LayersDock::putAt(LayerRow* row, std::size_t index_among_peers) {
   std::vector<LayerRow*> others = peers(row);
   const auto own = std::find(others.begin(), others.end(), row);
   const auto before = std::size_t(own - others.begin());
-  if (own == others.end() || place_among_peers == before || place_among_peers >= others.size()) return;
-  LayerRow* const passed = others[place_among_peers];
+  if (own == others.end() || index_among_peers == before || index_among_peers >= others.size()) return;
+  LayerRow* const passed = others[index_among_peers];
   rows_.erase(std::find(rows_.begin(), rows_.end(), row));
   const auto at = std::find(rows_.begin(), rows_.end(), passed);
-  rows_.insert(place_among_peers > before ? at + 1 : at, row);
-  place();
+  rows_.insert(index_among_peers > before ? at + 1 : at, row);
+  layOut();
 }
 
 void LayersDock::drag(LayerRow* row, int y) {
@@ -464,7 +464,7 @@ void LayersDock::restoreFolds(const QSettings& settings) {
   for (const auto& [group, header] : headers_) header->setOpen(!folded.contains(scene::groupName(group)));
   unavailable_->setOpen(settings.value(kUnavailableKey, false).toBool());
   setGrouped(settings.value(kGroupedKey, true).toBool());
-  place();
+  layOut();
 }
 
 void LayersDock::resetFolds() {
@@ -472,7 +472,7 @@ void LayersDock::resetFolds() {
   for (const auto& [group, header] : headers_) header->setOpen(true);
   unavailable_->setOpen(false);
   setGrouped(true);
-  place();
+  layOut();
 }
 
 LayerRow* LayersDock::row(Layer layer) const {

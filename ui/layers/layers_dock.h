@@ -90,15 +90,15 @@ class LayersDock : public QDockWidget {
   void updateAvailability();
   void updateTopics(LayerRow* row);
   void chooseTopic(map::Stream stream, const QString& topic);
-  void place();
-  void placeUnavailable();
+  void layOut();
+  void layOutUnavailable();
   void put(QWidget* widget);
   void updateCounts();
   void updateSolo();
   bool fits(const LayerRow& row) const;
   /// Those that a row can be moved among: the rows on screen of its group, without groups all of them.
   std::vector<LayerRow*> peers(const LayerRow* row) const;
-  void putAt(LayerRow* row, std::size_t place_among_peers);
+  void putAt(LayerRow* row, std::size_t index_among_peers);
   void drag(LayerRow* row, int y);
   void commit();
   void move(LayerRow* row, int rows);
@@ -112,7 +112,7 @@ class LayersDock : public QDockWidget {
   FoldHeader* unavailable_;
   std::vector<QLabel*> reasons_;
   std::vector<QWidget*> steps_;  // headers and rows on screen, from top to bottom
-  std::set<QWidget*> placed_;    // while they are placed
+  std::set<QWidget*> laid_out_;  // while they are laid out
   QLineEdit* filter_;
   QToolButton *in_order_, *presets_;
   QFrame* solo_strip_;

@@ -85,7 +85,7 @@ PresetMenu::PresetMenu(scene::MapScene& scene, QSettings& settings, Actions& act
   menu_->setObjectName(QStringLiteral("layerPresets"));
   menu_->setToolTipsVisible(true);
   menu_->menuAction()->setObjectName(QStringLiteral("layerPresetsMenu"));
-  actions_.place({MenuGroup::Drawn, 40}, menu_->menuAction());
+  actions_.addToMenu({MenuGroup::Drawn, 40}, menu_->menuAction());
   for (std::size_t i = 0; i < built_in_.size(); ++i)
     built_in_actions_.push_back(offer(QLatin1String(kBuiltInIds[i]), built_in_[i]));
   save_ = actions_.add(tr("View"), QStringLiteral("saveLayerPreset"), tr("&Save the layers as a preset…"), {},

@@ -378,7 +378,7 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
   mapping_dock_ = new MappingDock(actions, &context.window);
   context_.panels.add(
       mapping_dock_,
-      {.side = PanelPlace::Side::Right,
+      {.side = PanelPosition::Side::Right,
        .tab = 71,
        .menu_rank = 38,
        .open = false,

@@ -21,7 +21,7 @@ namespace mapwright::window {
 
 MapsController::MapsController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new MapsDock(&context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 10, .menu_rank = 10});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Left, .tab = 10, .menu_rank = 10});
   context_.findings.add([this]() -> Findings::Search {
     return [this](const QString&, const Findings::See& see) {
       const session::Session* const session = context_.current.session();

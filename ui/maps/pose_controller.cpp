@@ -33,7 +33,7 @@ PoseController::PoseController(WindowContext& context, QObject* parent)
       context_(context),
       dock_(new PoseDock(&context.window)),
       tool_(new PoseTool(&context.scene, this)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 72,
                               .menu_rank = 37,
                               .open = false,

@@ -84,7 +84,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
       dock_(new ReferenceDock(&context.window)),
       tool_(new ReferenceTool(&context.scene, this)),
       slot_({}, {context.workers, nullptr}) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 70, .menu_rank = 36, .open = false});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 70, .menu_rank = 36, .open = false});
   context_.actions.add({.id = "referenceMap",
                         .text = tr("Re&ference map…"),
                         .icon = "layers",

@@ -39,15 +39,15 @@ bool near(const QPointF& a, const QPointF& b, double px) {
 }
 
 /// Beside `thing` within `room`; nullopt: one would cover the other.
-std::optional<QPoint> placeBeside(const QRect& thing, const QSize& size, const QRect& room) {
+std::optional<QPoint> positionBeside(const QRect& thing, const QSize& size, const QRect& room) {
   const int right = room.right() + 1 - size.width(), bottom = room.bottom() + 1 - size.height();
   if (right < room.left() || bottom < room.top()) return std::nullopt;
   const int x = std::clamp(thing.right() + 1, room.left(), right);
   const int y = std::clamp(thing.bottom() + 1, room.top(), bottom);
-  const QRect places(room.topLeft(), QPoint(right, bottom));
-  for (const QPoint& place : {QPoint(thing.right() + 1, y), QPoint(thing.left() - size.width(), y),
-                              QPoint(x, thing.bottom() + 1), QPoint(x, thing.top() - size.height())}) {
-    if (places.contains(place)) return place;
+  const QRect corners(room.topLeft(), QPoint(right, bottom));
+  for (const QPoint& corner : {QPoint(thing.right() + 1, y), QPoint(thing.left() - size.width(), y),
+                               QPoint(x, thing.bottom() + 1), QPoint(x, thing.top() - size.height())}) {
+    if (corners.contains(corner)) return corner;
   }
   return std::nullopt;
 }
@@ -68,8 +68,8 @@ ObjectsController::ObjectsController(WindowContext& context, QObject* parent, st
       dock_(new ObjectsDock(context.scene, &context.window)),
       tasks_(context.workers) {
   context_.panels.add(properties_,
-                      {.side = PanelPlace::Side::Right, .tab = 40, .menu_rank = 34, .open = false});
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 30, .menu_rank = 32, .open = false});
+                      {.side = PanelPosition::Side::Right, .tab = 40, .menu_rank = 34, .open = false});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Left, .tab = 30, .menu_rank = 32, .open = false});
   for (const auto& [timer, ms] : {std::pair(&hover_timer_, kDwellMs), std::pair(&refresh_timer_, kRefreshMs),
                                   std::pair(&list_timer_, kListMs)}) {
     timer->setSingleShot(true);
@@ -83,7 +83,7 @@ ObjectsController::ObjectsController(WindowContext& context, QObject* parent, st
   connect(&context_.view, &MapView::cursorMoved, this, &ObjectsController::cursorMoved);
   // The card would lie over what is to be clicked with the tool.
   connect(&context_.tools, &ToolChoice::chosenChanged, this, &ObjectsController::letGo);
-  connect(&context_.scene, &scene::MapScene::viewChanged, this, &ObjectsController::placeCard);
+  connect(&context_.scene, &scene::MapScene::viewChanged, this, &ObjectsController::positionCard);
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &ObjectsController::refreshSoon);
   connect(&context_.scene, &scene::MapScene::contentChanged, this, &ObjectsController::refreshSoon);
   connect(card_, &ObjectCard::closeWanted, this, &ObjectsController::letGo);
@@ -159,8 +159,7 @@ void ObjectsController::showMap() {
 }
 
 void ObjectsController::addToMapMenu() {
-  context_.actions.placeOnMapMenu({MapMenuGroup::Point, 5}, [this](QMenu& menu,
-                                                                   const Eigen::Vector2d& world) {
+  context_.actions.addToMapMenu({MapMenuGroup::Point, 5}, [this](QMenu& menu, const Eigen::Vector2d& world) {
     const std::vector<scene::ObjectId> ids = context_.scene.objectsAt(world, MapTool::kReachPx);
     int shown = 0;
     for (const scene::ObjectId& id : ids) {
@@ -265,10 +264,10 @@ void ObjectsController::identify() {
 void ObjectsController::pick(const Eigen::Vector2d& world_m, bool beneath) {
   if (!context_.current.session()) return;
   const QPointF px = toPixel(context_.scene, world_m);
-  const bool same_place = picked_px_ && near(*picked_px_, px, kSamePx);
+  const bool same_position = picked_px_ && near(*picked_px_, px, kSamePx);
   hover_timer_.stop();  // it has been told
   here_ = context_.scene.objectsAt(world_m, MapTool::kReachPx);
-  turn_ = beneath && same_place ? turn_ + 1 : beneath ? 1 : 0;
+  turn_ = beneath && same_position ? turn_ + 1 : beneath ? 1 : 0;
   picked_px_ = px;
   if (here_.empty()) return letGo();
   turn_ %= here_.size();
@@ -372,10 +371,10 @@ void ObjectsController::showCard(const scene::MapObject& object, const Eigen::Ve
   card_->show(object, facts(object), beneath);
   card_at_m_ = at_m;
   card_beneath_ = beneath;
-  placeCard();
+  positionCard();
 }
 
-void ObjectsController::placeCard() {
+void ObjectsController::positionCard() {
   if (card_->isHidden()) return;
   constexpr double kGapPx = 16;
   constexpr int kMarginPx = 8, kLargestPx = 160;
@@ -400,8 +399,8 @@ void ObjectsController::placeCard() {
   // Where it does not fit beside the thing, it says less.
   for (int rows = card_->allRows();; --rows) {
     card_->showRows(rows);
-    const auto place = placeBeside(clear.toAlignedRect(), card_->size(), room);
-    if (place) return card_->move(*place);
+    const auto corner = positionBeside(clear.toAlignedRect(), card_->size(), room);
+    if (corner) return card_->move(*corner);
     if (rows == 0) break;
   }
   card_->move(at.x() < room.center().x() ? room.right() - card_->width() : room.left(),
@@ -419,7 +418,7 @@ void ObjectsController::refresh() {
     const auto now = context_.scene.object(hovered_->id);
     if (now) hovered_ = now;
     card_->show(*hovered_, facts(*hovered_), hovered_beneath_);
-    placeCard();
+    positionCard();
   }
   if (!chosen_ || !session) {
     if (!hovered_px_) age_timer_.stop();
@@ -438,7 +437,7 @@ void ObjectsController::refresh() {
   if (!now && !hovered_px_) card_->hide();
   if (now && !hovered_px_ && card_->isVisible()) {
     card_->show(*chosen_, known, card_beneath_);
-    placeCard();
+    positionCard();
   }
   // Ages grow; what is not looked at needs no clock.
   const bool looked_at = chosen_->topic >= 0 && (card_->isVisible() || properties_->isVisible());

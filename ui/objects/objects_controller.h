@@ -60,7 +60,7 @@ class ObjectsController : public Controller {
   void refresh();
   void list();
   void showCard(const scene::MapObject& object, const Eigen::Vector2d& at_m, int beneath, bool stays);
-  void placeCard();
+  void positionCard();
   void copyChosen();
   void showMap();
   void allowMap();

@@ -35,7 +35,7 @@ OverlayActions::OverlayActions(WindowContext& context, OverlayEditing* editing, 
   menu_->addMenu(snap_menu_);
   menu_->addSeparator();
   menu_->addAction(defaults_);
-  context_.actions.place({MenuGroup::Waypoints, 34}, menu_->menuAction());
+  context_.actions.addToMenu({MenuGroup::Waypoints, 34}, menu_->menuAction());
   dock->setMenus(teaching_->menu(), arranging_->menu(), snap_, snap_menu_, defaults_);
   connect(snapping_, &OverlaySnapping::changed, this, &OverlayActions::refresh);
   connect(editing_, &OverlayEditing::changed, this, &OverlayActions::refresh);

@@ -23,7 +23,7 @@ constexpr double kAroundChangeM = 2;
 
 void OverlaysController::addHistory() {
   context_.panels.add(history_dock_,
-                      {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 47, .open = false});
+                      {.side = PanelPosition::Side::Right, .tab = 16, .menu_rank = 47, .open = false});
   history_dock_->setOpen([this]() -> std::optional<OverlayHistoryDock::Open> {
     if (!editing_.isOpen()) return std::nullopt;
     return OverlayHistoryDock::Open{openMap(), [this] { return editing_.document().mine(); },

@@ -50,7 +50,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
       states_(&context.scene),
       history_dock_(new OverlayHistoryDock(&history_, &context.scene, &marks_, &context.window)),
       share_(context.workers) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 15,
                               .menu_rank = 46,
                               .open = false,

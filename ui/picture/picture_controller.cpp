@@ -42,7 +42,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
       tool_(new PictureTool(&editing_, &context.scene, this)),
       dock_(new PictureDock(&editing_, tool_, &context.window)),
       share_(context.workers) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 16,
                               .menu_rank = 46,
                               .open = false,

@@ -8,7 +8,7 @@ namespace mapwright::window {
 
 MessagesController::MessagesController(WindowContext& context, QObject* parent)
     : Controller(parent), dock_(new MessagesDock({}, &context.window)) {
-  context.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 10, .menu_rank = 60, .open = false});
+  context.panels.add(dock_, {.side = PanelPosition::Side::Bottom, .tab = 10, .menu_rank = 60, .open = false});
   context.findings.add([this, &panels = context.panels]() -> Findings::Search {
     return [this, &panels, topics = dock_->knownTopics()](const QString&, const Findings::See& see) {
       for (const QString& topic : topics) {

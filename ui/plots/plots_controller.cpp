@@ -24,7 +24,7 @@ PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QOb
       feed_(new PlotFeed(context.workers, {}, this)),
       dock_(new PlotsDock(*feed_, &context.window)) {
   feed_->setParent(dock_);  // which shows it as long as it lives
-  context.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 60, .menu_rank = 49, .open = false});
+  context.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 60, .menu_rank = 49, .open = false});
   connect(&clock, &ReplayClock::opened, this, [this] {
     keepRecorded();
     feed_->setReading(clock_->reading());

@@ -240,7 +240,7 @@ void RegionsController::addActions() {
   }
   connect(every_, &QActionGroup::triggered, this,
           [this](const QAction* action) { setRefreshEvery(action->data().toInt()); });
-  context_.actions.place({MenuGroup::WholeMap, 40}, menu->menuAction());
+  context_.actions.addToMenu({MenuGroup::WholeMap, 40}, menu->menuAction());
   fetch_whole_ = context_.actions.add({.id = "fetchWholeMap",
                                        .text = tr("Fetch the &whole map…"),
                                        .icon = "download",

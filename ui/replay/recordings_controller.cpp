@@ -41,7 +41,8 @@ QString fileNameOf(const BagKey& key) {
 
 RecordingsController::RecordingsController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new RecordingsDock(&context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 15, .menu_rank = 46, .open = false});
+  context_.panels.add(dock_,
+                      {.side = PanelPosition::Side::Bottom, .tab = 15, .menu_rank = 46, .open = false});
   QAction* const shows = context_.actions.add({.id = "showRecordings",
                                                .text = tr("Reco&rdings…"),
                                                .icon = "recordings",

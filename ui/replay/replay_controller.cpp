@@ -78,8 +78,10 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
       clock_(new ReplayClock({}, this)),
       dock_(new TimelineDock(*clock_, &context.window)),
       events_(new EventsDock(*clock_, &context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 40, .menu_rank = 48, .open = false});
-  context_.panels.add(events_, {.side = PanelPlace::Side::Bottom, .tab = 45, .menu_rank = 49, .open = false});
+  context_.panels.add(dock_,
+                      {.side = PanelPosition::Side::Bottom, .tab = 40, .menu_rank = 48, .open = false});
+  context_.panels.add(events_,
+                      {.side = PanelPosition::Side::Bottom, .tab = 45, .menu_rank = 49, .open = false});
   addActions();
   connectEvents();
   connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
@@ -105,7 +107,7 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
 void ReplayController::addActions() {
   menu_ = new QMenu(tr("Re&play"), &context_.window);
   menu_->setToolTipsVisible(true);
-  context_.actions.place({MenuGroup::Link, 40}, menu_->menuAction());
+  context_.actions.addToMenu({MenuGroup::Link, 40}, menu_->menuAction());
   entry("replayPlay", tr("&Play or pause"), "play", "Ctrl+Space", tr("Play or pause the bag"),
         [this] { clock_->togglePlaying(); });
   entry("replayBackwards", tr("&Backwards or forwards"), "", "", tr("Reverse the direction"),

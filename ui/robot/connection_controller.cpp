@@ -59,7 +59,7 @@ ConnectionController::ConnectionController(WindowContext& context, Means means, 
     addRecents(*files, true, {});
     if (files->isEmpty()) files->addAction(tr("None yet"))->setEnabled(false);
   });
-  context_.actions.place({MenuGroup::Files, 20}, files->menuAction());
+  context_.actions.addToMenu({MenuGroup::Files, 20}, files->menuAction());
   addActions();
   connect(context_.overlay.card(), &EmptyStateCard::wanted, this, &ConnectionController::acceptOffer);
   connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
@@ -68,7 +68,7 @@ ConnectionController::ConnectionController(WindowContext& context, Means means, 
     if (chip_) refreshChip();
     refreshNotices();
   });
-  context_.actions.placeOnBar({BarGroup::Robot, 10}, [this](QWidget* parent_widget) {
+  context_.actions.addToBar({BarGroup::Robot, 10}, [this](QWidget* parent_widget) {
     chip_ = new ConnectionChip(parent_widget);
     auto* const menu = new QMenu(chip_);
     menu->setToolTipsVisible(true);
@@ -84,13 +84,13 @@ void ConnectionController::addActions() {
                         .icon = "connect",
                         .keys = {"Ctrl+O"},
                         .tip = tr("Connect to a robot"),
-                        .menu = {MenuGroup::Places, 10}},
+                        .menu = {MenuGroup::Robots, 10}},
                        this, &ConnectionController::openDialog);
   context_.actions.add({.id = "demo",
                         .text = tr("Try the &demo robot"),
                         .icon = "demo",
                         .tip = tr("Connect to a simulated robot inside this program"),
-                        .menu = {MenuGroup::Places, 40}},
+                        .menu = {MenuGroup::Robots, 40}},
                        this, [this] { goTo(QStringLiteral("demo:")); });
   retry_ = context_.actions.add({.id = "retry",
                                  .text = tr("&Retry now"),
@@ -128,7 +128,7 @@ void ConnectionController::addActions() {
 
 void ConnectionController::fillChipMenu(QMenu& menu) {
   menu.clear();
-  addGroup(menu, context_.actions, MenuGroup::Places);
+  addGroup(menu, context_.actions, MenuGroup::Robots);
   addRecents(menu, false, tr("Recent robots"));
   menu.addSection(tr("Files"));
   addGroup(menu, context_.actions, MenuGroup::Files);

@@ -28,7 +28,8 @@ bool isError(const session::LoggedProblem& row, const std::vector<map::SafetyCon
 
 ProblemsController::ProblemsController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new ProblemsDock(&context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 20, .menu_rank = 50, .open = false});
+  context_.panels.add(dock_,
+                      {.side = PanelPosition::Side::Bottom, .tab = 20, .menu_rank = 50, .open = false});
   connect(dock_, &ProblemsDock::retryWanted, this, &ProblemsController::retryWanted);
   connect(dock_, &ProblemsDock::copyWanted, this,
           [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });

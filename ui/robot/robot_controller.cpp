@@ -21,7 +21,7 @@ namespace mapwright::window {
 
 RobotController::RobotController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new RobotDock(&context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 10, .menu_rank = 40});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 10, .menu_rank = 40});
   connect(&context_.panels, &Panels::arranged, this, [this] {
     if (comesFirst(context_.current.session())) context_.panels.suggest(dock_);
   });

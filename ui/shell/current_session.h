@@ -57,7 +57,7 @@ class CurrentSession : public QObject {
   QString called_, before_replay_;
 };
 
-/// For PanelPlace::idle: what is open has none of these, and nothing may still bring them.
+/// For PanelPosition::idle: what is open has none of these, and nothing may still bring them.
 std::function<bool()> lacksForGood(CurrentSession& current, std::vector<robot::Capability> capabilities);
 
 }  // namespace mapwright::window

@@ -22,7 +22,7 @@ InspectorController::InspectorController(WindowContext& context, QAction* show_i
     : Controller(parent),
       context_(context),
       dock_(new InspectorDock(&context.scene, show_ids, show_outlines, &context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 20, .menu_rank = 30});
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 20, .menu_rank = 30});
   context_.actions.add({.id = "filter",
                         .text = tr("Filter &submaps"),
                         .icon = "filter",
@@ -43,8 +43,8 @@ InspectorController::InspectorController(WindowContext& context, QAction* show_i
 }
 
 void InspectorController::addToMapMenu() {
-  context_.actions.placeOnMapMenu({MapMenuGroup::Submap, 10}, [this](QMenu& menu,
-                                                                     const Eigen::Vector2d& world) {
+  context_.actions.addToMapMenu({MapMenuGroup::Submap, 10}, [this](QMenu& menu,
+                                                                   const Eigen::Vector2d& world) {
     const auto id = context_.scene.submapAt(world);
     if (!id || !context_.current.session()) return;
     const QString name = QString::fromStdString(map::toText(*id));

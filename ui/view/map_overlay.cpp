@@ -59,8 +59,8 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
                                                          edit_notice_, compare_bar_}) {
     widget->installEventFilter(this);
   }
-  connect(toasts_, &ToastStack::changed, this, &MapOverlay::place);
-  place();
+  connect(toasts_, &ToastStack::changed, this, &MapOverlay::layOut);
+  layOut();
 }
 
 void MapOverlay::setHint(const QString& text) {
@@ -68,7 +68,7 @@ void MapOverlay::setHint(const QString& text) {
   if (plain == hint_->text() && text.isEmpty() == hint_frame_->isHidden()) return;
   hint_->setText(plain);
   hint_frame_->setVisible(!text.isEmpty());
-  place();
+  layOut();
 }
 
 QString MapOverlay::hint() const { return hint_->text(); }
@@ -76,7 +76,7 @@ QString MapOverlay::hint() const { return hint_->text(); }
 void MapOverlay::setFurnitureVisible(bool visible) {
   furniture_visible_ = visible;
   furniture_->setVisible(visible);
-  place();
+  layOut();
 }
 
 bool MapOverlay::eventFilter(QObject* watched, QEvent* event) {
@@ -85,12 +85,12 @@ bool MapOverlay::eventFilter(QObject* watched, QEvent* event) {
   const bool resized = event->type() == QEvent::Resize && watched == view_;
   if (resized || event->type() == QEvent::Show || event->type() == QEvent::Hide ||
       event->type() == QEvent::LayoutRequest) {
-    place();
+    layOut();
   }
   return QObject::eventFilter(watched, event);
 }
 
-void MapOverlay::place() {
+void MapOverlay::layOut() {
   const QSize area = view_->size();
   int top = 0;
   for (QWidget* strip :

@@ -40,7 +40,7 @@ class MapOverlay : public QObject {
   void setFurnitureVisible(bool visible);
   bool furnitureVisible() const { return furniture_visible_; }
   /// Puts everything in its place.
-  void place();
+  void layOut();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

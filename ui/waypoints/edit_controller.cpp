@@ -81,7 +81,8 @@ void EditController::addHistory() {
   steps->setAccessibleName(tr("Steps that can be undone"));
   steps->setUniformItemSizes(true);
   history_->setWidget(steps);
-  context_.panels.add(history_, {.side = PanelPlace::Side::Right, .tab = 17, .menu_rank = 47, .open = false});
+  context_.panels.add(history_,
+                      {.side = PanelPosition::Side::Right, .tab = 17, .menu_rank = 47, .open = false});
 }
 
 void EditController::refresh() {

@@ -96,7 +96,7 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
     // Otherwise the focus would hop to some button.
     if (!active && isAncestorOf(QApplication::focusWidget())) parentWidget()->setFocus();
     setVisible(active);
-    place();
+    layOut();
     if (active) raise();
   });
   const auto look_anew = [this] {
@@ -168,7 +168,7 @@ void LineBar::refresh() {
   refreshNames();
 }
 
-void LineBar::place() {
+void LineBar::layOut() {
   const QWidget* const map = parentWidget();
   const QSize size =
       sizeHint().boundedTo({std::max(map->width(), minimumSizeHint().width()), QWIDGETSIZE_MAX});
@@ -177,7 +177,7 @@ void LineBar::place() {
 }
 
 bool LineBar::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == parentWidget() && event->type() == QEvent::Resize) place();
+  if (watched == parentWidget() && event->type() == QEvent::Resize) layOut();
   return QFrame::eventFilter(watched, event);
 }
 

@@ -47,7 +47,7 @@ class LineBar : public QFrame {
  private:
   void refresh();
   void refreshNames();
-  void place();
+  void layOut();
   exchange::SeriesNames series() const;
   const exchange::TakenNames& taken() const;
 

@@ -79,7 +79,7 @@ WaypointArranging::WaypointArranging(WindowContext& context, WaypointEditing* ed
          "the first"),
       2, tr("turn %1"),
       [](Spots spots) { return placing::headingOn(std::move(spots), LastHeads::BackToFirst); });
-  context_.actions.place({MenuGroup::Waypoints, 14}, menu_->menuAction());
+  context_.actions.addToMenu({MenuGroup::Waypoints, 14}, menu_->menuAction());
   QAction* const rename = context_.actions.add(
       {.id = "renameWaypoints",
        .text = tr("&Rename waypoints…"),

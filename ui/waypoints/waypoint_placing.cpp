@@ -140,7 +140,7 @@ PlacingActions::PlacingActions(WindowContext& context, WaypointEditing* editing,
   addCreating();
   addSelecting();
   creating_menu_->setToolTipsVisible(true);
-  context_.actions.place({MenuGroup::Waypoints, 12}, creating_menu_->menuAction());
+  context_.actions.addToMenu({MenuGroup::Waypoints, 12}, creating_menu_->menuAction());
   connect(creating_menu_, &QMenu::aboutToShow, this, &PlacingActions::refresh);
   connect(editing_, &WaypointEditing::opened, this, &PlacingActions::refresh);
   connect(editing_, &WaypointEditing::selectionChanged, this, &PlacingActions::refresh);
@@ -383,7 +383,7 @@ void WaypointPlacing::addSnapping() {
                                                   tr("Grid spacing, distance to walls, and robot size"));
   connect(distances, &QAction::triggered, this, &WaypointPlacing::askDistances);
   snap_menu_->addAction(distances);
-  context_.actions.place({MenuGroup::Waypoints, 13}, snap_menu_->menuAction());
+  context_.actions.addToMenu({MenuGroup::Waypoints, 13}, snap_menu_->menuAction());
 }
 
 void WaypointPlacing::refresh() {

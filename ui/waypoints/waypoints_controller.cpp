@@ -41,7 +41,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
       name_editor_(new NameEditor(context.view.viewport())),
       transfer_(nullptr),
       review_(new WaypointReview(&context.window)) {
-  context_.panels.add(dock_, {.side = PanelPlace::Side::Right,
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 15,
                               .menu_rank = 45,
                               .idle = lacksForGood(context_.current, {robot::Capability::Waypoints,
@@ -115,7 +115,7 @@ void WaypointsController::addActions() {
                                        .menu = {MenuGroup::Waypoints, 10},
                                        .bar = {BarGroup::Tools, 30}});
   context_.tools.add(tool_, tool_action_);
-  context_.actions.placeOnMapMenu(
+  context_.actions.addToMapMenu(
       {MapMenuGroup::Edit, 10}, [this](QMenu& menu, const Eigen::Vector2d& world_m) {
         if (!editing_.editable()) return;
         const double reach_m = MapTool::kReachPx * context_.scene.view().scale_m_per_px;

@@ -86,7 +86,7 @@ std::optional<int> fuzzyScore(const QString& pattern, const QString& text) {
   constexpr int kEqual = 1500, kBegins = 800, kWords = 600, kContains = 400;
   constexpr int kLetter = 1, kWordStart = 8, kRun = 6, kFirst = 4;
   const QString typed = pattern.simplified().toLower(), name = text.toLower();
-  // The best score with the letters so far, of which the last is at each place of the name.
+  // The best score with the letters so far, of which the last is at each position of the name.
   constexpr int kNone = -1;
   std::vector<int> best, before;
   bool run = false;
@@ -97,7 +97,7 @@ std::optional<int> fuzzyScore(const QString& pattern, const QString& text) {
     }
     before.swap(best);
     best.assign(std::size_t(name.size()), kNone);
-    int so_far = before.empty() ? 0 : kNone;  // the best that ends before the place
+    int so_far = before.empty() ? 0 : kNone;  // the best that ends before the position
     for (qsizetype i = 0; i < name.size(); ++i) {
       const int neighbour = before.empty() || i == 0 ? kNone : before[std::size_t(i) - 1];
       so_far = std::max(so_far, neighbour);

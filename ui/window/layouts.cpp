@@ -7,7 +7,7 @@ namespace mapwright::window {
 
 namespace {
 
-using Side = PanelPlace::Side;
+using Side = PanelPosition::Side;
 
 constexpr int kWidePx = 1700;   // room for docks on both sides
 constexpr int kHighPx = 900;    // room for one more dock above another

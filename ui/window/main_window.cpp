@@ -156,9 +156,9 @@ MainWindow::~MainWindow() {
 void MainWindow::createControllers(const Dependencies& dependencies) {
   WindowContext& context = *context_;
   // Their order is the tab order of the docks, and the order in which Esc is offered.
-  const auto make = [&]<class What>(What*& place, auto&&... needs) {
-    place = new What(context, std::forward<decltype(needs)>(needs)..., this);
-    controllers_.push_back(place);
+  const auto make = [&]<class What>(What*& controller, auto&&... needs) {
+    controller = new What(context, std::forward<decltype(needs)>(needs)..., this);
+    controllers_.push_back(controller);
   };
   const auto ids = [this](const char* id) { return actions_.find(QLatin1String(id)); };
   placing_ = new PicturePlacing(this, dependencies.yamls_naming, workers_);

@@ -61,13 +61,12 @@ void ViewController::addTools() {
                                                      .needs_session = true,
                                                      .menu = {MenuGroup::Tools, 20},
                                                      .bar = {BarGroup::Tools, 20}}));
-  context_.actions.placeOnMapMenu(
-      {MapMenuGroup::Point, 20}, [this](QMenu& menu, const Eigen::Vector2d& world) {
-        menu.addAction(themedIcon(QStringLiteral("measure")), tr("Measure from here"), this, [this, world] {
-          context_.tools.choose(measure_);
-          measure_->clicked({world, {}, {}});
-        });
-      });
+  context_.actions.addToMapMenu({MapMenuGroup::Point, 20}, [this](QMenu& menu, const Eigen::Vector2d& world) {
+    menu.addAction(themedIcon(QStringLiteral("measure")), tr("Measure from here"), this, [this, world] {
+      context_.tools.choose(measure_);
+      measure_->clicked({world, {}, {}});
+    });
+  });
   connect(pan, &PanTool::clickedAt, this, [this](const MapPoint& at) {
     Q_EMIT clicked(at.world_m);
     Q_EMIT picked(at);
@@ -153,15 +152,14 @@ void ViewController::addOtherActions() {
 }
 
 void ViewController::addToMapMenu() {
-  context_.actions.placeOnMapMenu(
-      {MapMenuGroup::Point, 10}, [this](QMenu& menu, const Eigen::Vector2d& world) {
-        QAction* const where = menu.addAction(coordinatesText(world, context_.scene.view().scale_m_per_px));
-        where->setEnabled(false);
-        menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy coordinates"), this,
-                       [this, world] { copyCoordinates(world); });
-        menu.addAction(themedIcon(QStringLiteral("locate")), tr("Centre here"), this,
-                       [this, world] { context_.view.lookAt(world); });
-      });
+  context_.actions.addToMapMenu({MapMenuGroup::Point, 10}, [this](QMenu& menu, const Eigen::Vector2d& world) {
+    QAction* const where = menu.addAction(coordinatesText(world, context_.scene.view().scale_m_per_px));
+    where->setEnabled(false);
+    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy coordinates"), this,
+                   [this, world] { copyCoordinates(world); });
+    menu.addAction(themedIcon(QStringLiteral("locate")), tr("Centre here"), this,
+                   [this, world] { context_.view.lookAt(world); });
+  });
 }
 
 void ViewController::wireCursor() {
