@@ -166,8 +166,8 @@ CommandResult<int> bagsRecord(RobotCommand& command, const BagsArguments& args) 
 /// The messages of a range between two times. False: the output accepts no more.
 bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
                  const std::vector<std::string>& topics, std::set<std::string>& found) {
-  for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-    const robot::BagMessage& message = chunk.at(place);
+  for (std::size_t i = 0; i < chunk.order.size(); ++i) {
+    const robot::BagMessage& message = chunk.at(i);
     if (!span.holds(message.message.received_s)) continue;
     if (!excerpt::isOneOf(topics, message.message.topic)) continue;
     found.insert(message.message.topic);

@@ -84,10 +84,10 @@ void Minute::take(const replay::Chunk& chunk) {
   for (const Quantity quantity : kShown) {
     if (series::isOfPose(quantity)) continue;
     std::vector<Sample> samples;
-    for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-      const robot::BagMessage& message = chunk.at(place);
+    for (std::size_t i = 0; i < chunk.order.size(); ++i) {
+      const robot::BagMessage& message = chunk.at(i);
       const auto value = message.known ? series::valueOf(quantity, message.message.message) : std::nullopt;
-      if (value) samples.push_back({chunk.stampAt(place), *value});
+      if (value) samples.push_back({chunk.stampAt(i), *value});
     }
     series_[quantity].insert(chunk.from_s, chunk.until_s, samples);
   }

@@ -22,7 +22,7 @@ constexpr Tick kMostCells = 4096;
 /// Data placed by later messages, or late data, may change the last seconds.
 constexpr double kUnsettledS = 2;
 constexpr int kBelievedTries = 3, kBelievedTriesOfDoubtful = 2;
-/// A place in a range of 256 s is found with eight divisions. Of a bag of which nothing can be read few are
+/// A spot in a range of 256 s is found with eight divisions. Of a bag of which nothing can be read few are
 /// tried.
 constexpr Tick kShortestDoubt = Tick(kTicksPerS);
 constexpr int kMostDivided = 1024, kMostDividedOfNothing = 64;

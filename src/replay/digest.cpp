@@ -133,10 +133,10 @@ Digest digestOf(const Chunk& chunk) {
   Digest digest;
   digest.from_s = chunk.from_s;
   digest.until_s = chunk.until_s;
-  std::map<std::size_t, std::size_t> kept_last;  // by kind: its place in the history
+  std::map<std::size_t, std::size_t> kept_last;  // by kind: its index in the history
   std::map<Slot, std::uint32_t> last;
-  for (std::uint32_t place = 0; place < chunk.order.size(); ++place) {
-    const robot::BagMessage& each = chunk.at(place);
+  for (std::uint32_t index = 0; index < chunk.order.size(); ++index) {
+    const robot::BagMessage& each = chunk.at(index);
     const double stamp_s = each.message.received_s;
     if (isRecorded(each)) {
       if (digest.messages == 0) digest.first_s = stamp_s;
@@ -153,10 +153,10 @@ Digest digestOf(const Chunk& chunk) {
     digest.last_known_s = stamp_s;
     const TopicMessage& message = each.message.message;
     if (const auto* tracked = std::get_if<map::TrackedPose>(&message)) {
-      digest.poses.push_back({stamp_s, place, tracked->pose});
+      digest.poses.push_back({stamp_s, index, tracked->pose});
       continue;
     }
-    last[slotOf(message)] = place;
+    last[slotOf(message)] = index;
     if (const auto* planning = std::get_if<map::PlanningState>(&message)) {
       if (digest.moves.empty() || digest.moves.back().state != planning->move_state)
         digest.moves.push_back({stamp_s, planning->move_state});
@@ -167,15 +167,15 @@ Digest digestOf(const Chunk& chunk) {
     // A new session may have made the map unknown: then the same message is news again.
     if (std::holds_alternative<map::SubmapList>(message)) kept_last.erase(map::topicIndex<map::MapInfo>());
     kept_last[message.index()] = digest.history.size();
-    digest.history.push_back({stamp_s, place, lightened(message)});
+    digest.history.push_back({stamp_s, index, lightened(message)});
   }
-  for (const auto& [slot, place] : last) {
-    const map::StampedMessage& message = chunk.at(place).message;
+  for (const auto& [slot, index] : last) {
+    const map::StampedMessage& message = chunk.at(index).message;
     Digest::Last& one = digest.last[slot];
     one.stamp_s = message.received_s;
-    one.place = place;
+    one.index = index;
     if (isSmall(message.message)) one.message = std::make_shared<const TopicMessage>(message.message);
-    one.picture_url = chunk.at(place).picture_url;
+    one.picture_url = chunk.at(index).picture_url;
   }
   // They are kept for good.
   digest.history.shrink_to_fit();
@@ -191,7 +191,7 @@ void foldHistory(map::World& world, const Digest& digest, double at_s) {
     const bool more_poses = pose != digest.poses.end() && pose->stamp_s <= at_s;
     const bool more_kept = kept != digest.history.end() && kept->stamp_s <= at_s;
     if (!more_poses && !more_kept) return;
-    if (more_poses && (!more_kept || pose->place < kept->place)) {
+    if (more_poses && (!more_kept || pose->index < kept->index)) {
       map::reduceInto(world, map::TrackedPose{pose->pose}, pose->stamp_s);
       ++pose;
     } else {

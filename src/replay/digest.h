@@ -35,22 +35,22 @@ struct TopicSpan {
 inline constexpr double kSilenceS = 5;
 
 struct Digest {
-  /// The last message of a slot. `place` is its index in Chunk::order.
+  /// The last message of a slot. `index` is its position in Chunk::order.
   struct Last {
     double stamp_s = 0;
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     std::shared_ptr<const map::TopicMessage> message;  // null: it is large; get it from the chunk
     std::string picture_url = {};                      // for a picture given only by its address
   };
   /// A message that counts besides the last one. Lists of submaps and of overlays are removed from it.
   struct Kept {
     double stamp_s = 0;
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     map::TopicMessage message;
   };
   struct Pose {
     double stamp_s = 0;
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     geometry::Pose2 pose;
   };
   /// When the state of the planner changed.

@@ -110,7 +110,7 @@ std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {
     for (;;) {
       const bool poses = pose != digest.poses.end(), keeps = kept != digest.history.end();
       if (!poses && !keeps) break;
-      if (poses && (!keeps || pose->place < kept->place)) {
+      if (poses && (!keeps || pose->index < kept->index)) {
         telling.at_s = pose->stamp_s;
         telling.onPose(*pose++);
       } else {

@@ -211,9 +211,9 @@ void Reading::miss(Tick from, const map::Failure& failure) {
   Q_EMIT changed();
 }
 
-const map::TopicMessage* Reading::contentAt(Tick from, std::uint32_t place) const {
+const map::TopicMessage* Reading::contentAt(Tick from, std::uint32_t index) const {
   const ChunkPtr chunk = chunkAt(from);
-  return chunk && place < chunk->order.size() ? &chunk->at(place).message.message : nullptr;
+  return chunk && index < chunk->order.size() ? &chunk->at(index).message.message : nullptr;
 }
 
 Moment Reading::moment() {
@@ -231,7 +231,7 @@ Moment Reading::moment() {
   if (!chunk) return moment;
   const bool complete = chunks_->readUntil(*at_s), settled = chunks_->settledUntil(*at_s);
   moment.at = worldAt(index_, from, *chunk, *at_s, complete,
-                      [this](Tick other, std::uint32_t place) { return contentAt(other, place); });
+                      [this](Tick other, std::uint32_t index) { return contentAt(other, index); });
   moment.topics = topicsAt(index_, from, *chunk, *at_s, complete);
   moment.knowledge = settled && moment.at.missing.empty() ? Knowledge::Exact : Knowledge::LookingBack;
   // What the world uses must stay in memory, otherwise it would be requested at every step.

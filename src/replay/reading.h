@@ -100,7 +100,7 @@ class Reading : public QObject {
   bool isAwaited(Tick from, std::uint64_t number);
   void hold(Tick from, Made made);
   void miss(Tick from, const map::Failure& failure);
-  const map::TopicMessage* contentAt(Tick from, std::uint32_t place) const;
+  const map::TopicMessage* contentAt(Tick from, std::uint32_t index) const;
   Millis now() const { return options_.now ? options_.now() : clock_.elapsed(); }
 
   robot::BagLibrary& library_;

@@ -348,8 +348,8 @@ bool ReplayRobot::playTo(double at_s) {
   const QPointer<ReplayRobot> alive(this);
   for (const ChunkPtr& chunk : passed) {
     const std::size_t end = chunk->countUntil(at_s);
-    for (std::size_t place = chunk->countUntil(from_s); place < end; ++place) {
-      const robot::BagMessage& message = chunk->at(place);
+    for (std::size_t i = chunk->countUntil(from_s); i < end; ++i) {
+      const robot::BagMessage& message = chunk->at(i);
       if (isRecorded(message)) topics_[message.message.topic] = message.message.received_s;
       if (watching_ && isRecorded(message)) Q_EMIT rawReceived(rawOf(*chunk, message));
       if (!alive || at_s_ != at_s) return true;
@@ -397,12 +397,12 @@ void ReplayRobot::notifyLastRaw() {
   const ChunkPtr chunk = cell ? reading_->chunkAt(cell->from) : nullptr;
   if (!chunk) return;
   std::map<std::string, const robot::BagMessage*> last;
-  for (const std::uint32_t place : chunk->back_filled) {
-    const robot::BagMessage& message = chunk->source->messages[place];
+  for (const std::uint32_t i : chunk->back_filled) {
+    const robot::BagMessage& message = chunk->source->messages[i];
     if (isRecorded(message)) last[message.message.topic] = &message;
   }
-  for (std::size_t place = 0; place < chunk->countUntil(*at_s_); ++place) {
-    if (isRecorded(chunk->at(place))) last[chunk->at(place).message.topic] = &chunk->at(place);
+  for (std::size_t i = 0; i < chunk->countUntil(*at_s_); ++i) {
+    if (isRecorded(chunk->at(i))) last[chunk->at(i).message.topic] = &chunk->at(i);
   }
   const QPointer<ReplayRobot> alive(this);
   for (const auto& [topic, message] : last) {

@@ -22,7 +22,7 @@ class Collecting {
     until_s_ = digest.until_s;
     auto kept = digest.history.begin();
     for (const Digest::Pose& pose : digest.poses) {
-      for (; kept != digest.history.end() && kept->place < pose.place; ++kept) hear(kept->message);
+      for (; kept != digest.history.end() && kept->index < pose.index; ++kept) hear(kept->message);
       add(pose);
     }
     for (; kept != digest.history.end(); ++kept) hear(kept->message);

@@ -19,12 +19,12 @@ constexpr Tick kBackFilled = std::numeric_limits<Tick>::min();
 struct Found {
   double stamp_s = 0;
   Tick chunk = 0;
-  std::uint32_t place = 0;
+  std::uint32_t index = 0;
   const map::TopicMessage* message = nullptr;
   const std::string* picture_url = nullptr;
 };
 
-auto orderOf(const Found& found) { return std::tuple(found.stamp_s, found.chunk, found.place); }
+auto orderOf(const Found& found) { return std::tuple(found.stamp_s, found.chunk, found.index); }
 
 bool beginsFrames(const map::TopicMessage& message) {
   return std::holds_alternative<map::SubmapList>(message) || std::holds_alternative<map::MapInfo>(message);
@@ -44,11 +44,11 @@ struct Search {
 
   /// From newest to oldest: the first one found stays.
   void lookIntoChunk() {
-    for (std::size_t place = chunk.countUntil(at_s); place-- > 0;) {
-      const robot::BagMessage& each = chunk.at(place);
+    for (std::size_t i = chunk.countUntil(at_s); i-- > 0;) {
+      const robot::BagMessage& each = chunk.at(i);
       if (!each.known) continue;
       const map::TopicMessage& message = each.message.message;
-      const Found found{each.message.received_s, from, std::uint32_t(place), &message, &each.picture_url};
+      const Found found{each.message.received_s, from, std::uint32_t(i), &message, &each.picture_url};
       last.try_emplace(slotOf(message), found);
       if (beginsFrames(message)) addFrame(found);
     }
@@ -63,7 +63,7 @@ struct Search {
   void lookBack() {
     index.forLastBefore(from, [&](const Slot& slot, Tick at, const Digest::Last& one) {
       if (last.contains(slot)) return;
-      Found found{one.stamp_s, at, one.place, one.message ? one.message.get() : content(at, one.place),
+      Found found{one.stamp_s, at, one.index, one.message ? one.message.get() : content(at, one.index),
                   &one.picture_url};
       if (found.message == nullptr) result.missing.push_back(at);
       last.emplace(slot, found);
@@ -72,7 +72,7 @@ struct Search {
     for (auto before = index.digests().begin(); before != end; ++before) {
       for (const Digest::Kept& kept : before->second.history) {
         if (beginsFrames(kept.message))
-          frames.push_back({kept.stamp_s, before->first, kept.place, &kept.message, nullptr});
+          frames.push_back({kept.stamp_s, before->first, kept.index, &kept.message, nullptr});
       }
     }
   }
@@ -130,8 +130,8 @@ struct Search {
   map::World history() const {
     map::World world = complete ? index.historyBefore(from) : knownHistory();
     const std::size_t count = chunk.countUntil(at_s);
-    for (std::size_t place = 0; place < count; ++place) {
-      const robot::BagMessage& each = chunk.at(place);
+    for (std::size_t i = 0; i < count; ++i) {
+      const robot::BagMessage& each = chunk.at(i);
       const map::TopicMessage& message = each.message.message;
       if (!each.known) continue;
       if (beginsFrames(message)) {
@@ -156,7 +156,7 @@ struct Search {
     for (const auto& [slot, found] : last) {
       if (found.message == nullptr) continue;
       all.push_back(found);
-      if (found.chunk != kBackFilled) result.sources[slot] = {found.chunk, found.place};
+      if (found.chunk != kBackFilled) result.sources[slot] = {found.chunk, found.index};
     }
     // Frames come first among equals: the full message follows its reduced version.
     std::stable_sort(all.begin(), all.end(),
@@ -178,8 +178,8 @@ struct Search {
   double newest() const {
     double newest_s = 0;
     const std::size_t count = chunk.countUntil(at_s);
-    for (std::size_t place = count; place-- > 0;) {
-      if (chunk.at(place).known) return chunk.stampAt(place);
+    for (std::size_t i = count; i-- > 0;) {
+      if (chunk.at(i).known) return chunk.stampAt(i);
     }
     for (auto it = std::make_reverse_iterator(index.digests().lower_bound(from));
          it != index.digests().rend(); ++it) {
@@ -245,8 +245,8 @@ std::map<std::string, double> topicsAt(const PrefixIndex& index, Tick from, cons
   }
   index.addTopicsBefore(from, last_s);
   const std::size_t count = chunk.countUntil(at_s);
-  for (std::size_t place = 0; place < count; ++place) {
-    if (isRecorded(chunk.at(place))) last_s[chunk.at(place).message.topic] = chunk.stampAt(place);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (isRecorded(chunk.at(i))) last_s[chunk.at(i).message.topic] = chunk.stampAt(i);
   }
   return last_s;
 }
@@ -282,15 +282,15 @@ std::optional<geometry::Pose2> poseBetween(const PrefixIndex& index, double at_s
 }
 
 std::optional<double> stampAfter(const Chunk& chunk, double at_s) {
-  std::size_t place = chunk.countUntil(at_s);
-  while (place < chunk.order.size() && !isRecorded(chunk.at(place))) ++place;
-  return place < chunk.order.size() ? std::optional(chunk.stampAt(place)) : std::nullopt;
+  std::size_t i = chunk.countUntil(at_s);
+  while (i < chunk.order.size() && !isRecorded(chunk.at(i))) ++i;
+  return i < chunk.order.size() ? std::optional(chunk.stampAt(i)) : std::nullopt;
 }
 
 std::optional<double> stampBefore(const Chunk& chunk, double at_s) {
-  std::size_t place = chunk.countUntil(at_s);
-  while (place > 0 && (chunk.stampAt(place - 1) >= at_s || !isRecorded(chunk.at(place - 1)))) --place;
-  return place > 0 ? std::optional(chunk.stampAt(place - 1)) : std::nullopt;
+  std::size_t i = chunk.countUntil(at_s);
+  while (i > 0 && (chunk.stampAt(i - 1) >= at_s || !isRecorded(chunk.at(i - 1)))) --i;
+  return i > 0 ? std::optional(chunk.stampAt(i - 1)) : std::nullopt;
 }
 
 std::optional<double> stampOfFirstMap(const Chunk& chunk) {
@@ -302,8 +302,8 @@ std::optional<double> stampOfFirstMap(const Chunk& chunk) {
   for (const std::uint32_t index : chunk.back_filled) {
     if (is_map(chunk.source->messages[index])) return std::nullopt;
   }
-  for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-    if (is_map(chunk.at(place))) return chunk.stampAt(place);
+  for (std::size_t i = 0; i < chunk.order.size(); ++i) {
+    if (is_map(chunk.at(i))) return chunk.stampAt(i);
   }
   return std::nullopt;
 }

@@ -17,8 +17,8 @@
 
 namespace mapwright::replay {
 
-/// The message at `place` of the chunk at `from`; nullptr if that chunk is not in memory.
-using ContentOf = std::function<const map::TopicMessage*(Tick from, std::uint32_t place)>;
+/// The message at `index` of the chunk at `from`; nullptr if that chunk is not in memory.
+using ContentOf = std::function<const map::TopicMessage*(Tick from, std::uint32_t index)>;
 
 struct WorldAt {
   map::World world;

@@ -162,9 +162,9 @@ void PlotFeed::addMessages(const replay::ChunkPtr& chunk) {
                    all.push_back({selection, {}});
                  }
                  series::FieldReader reader(std::move(paths));
-                 for (std::size_t place = 0; place < chunk->order.size(); ++place) {
-                   const robot::BagMessage& message = chunk->at(place);
-                   const double at_s = chunk->stampAt(place);
+                 for (std::size_t index = 0; index < chunk->order.size(); ++index) {
+                   const robot::BagMessage& message = chunk->at(index);
+                   const double at_s = chunk->stampAt(index);
                    for (Read& read : all) {
                      const auto* quantity = std::get_if<Quantity>(&read.selection);
                      if (!quantity || !message.known) continue;
@@ -213,8 +213,8 @@ QStringList PlotFeed::fields() const {
       const auto look = [&](const robot::BagMessage& message) {
         if (replay::isRecorded(message)) by_topic[message.message.topic] = chunk->source->textOf(message);
       };
-      for (const std::uint32_t place : chunk->back_filled) look(chunk->source->messages[place]);
-      for (std::size_t place = 0; place < chunk->order.size(); ++place) look(chunk->at(place));
+      for (const std::uint32_t index : chunk->back_filled) look(chunk->source->messages[index]);
+      for (std::size_t index = 0; index < chunk->order.size(); ++index) look(chunk->at(index));
     }
     for (const auto& [topic, json] : by_topic) add(topic, json);
   } else {
