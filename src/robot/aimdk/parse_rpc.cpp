@@ -421,9 +421,9 @@ QByteArray pointRequest(std::string_view map_id, const map::Waypoint& point,
   if (pose) {
     const QJsonObject position{{QStringLiteral("u"), qint64(pose->u)},
                                {QStringLiteral("v"), qint64(pose->v)}};
-    const QString place = QStringLiteral("pixel_pose"), angle = QStringLiteral("angle");
-    const QJsonValue turn = pose->angle ? QJsonValue(*pose->angle) : members[place].toObject()[angle];
-    members[place] = QJsonObject{{QStringLiteral("position"), position}, {angle, turn}};
+    const QString member = QStringLiteral("pixel_pose"), angle = QStringLiteral("angle");
+    const QJsonValue turn = pose->angle ? QJsonValue(*pose->angle) : members[member].toObject()[angle];
+    members[member] = QJsonObject{{QStringLiteral("position"), position}, {angle, turn}};
   }
   QByteArray rest = compactJson(members);
   rest[0] = ',';

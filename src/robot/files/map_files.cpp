@@ -213,34 +213,35 @@ Outcome<PictureReceipt> MapFiles::writePicture(const PictureChange& change) {
 
 WaypointFiles::WaypointFiles(FileOptions options) : options_(std::move(options)) {}
 
-Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) const {
-  Place place{key, mapPathOf(options_.path, key), {}};
-  if (place.map.isEmpty()) return fail(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
+Outcome<WaypointFiles::Location> WaypointFiles::locationOf(const map::MapKey& key) const {
+  Location location{key, mapPathOf(options_.path, key), {}};
+  if (location.map.isEmpty())
+    return fail(failure(location, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
   // A picture and the map.yaml that describes it are one map.
-  const QString beside = isOverlayFile(place.map) ? mapBeside(place.map) : QString();
-  const QString map = beside.isEmpty() ? place.map : beside;
+  const QString beside = isOverlayFile(location.map) ? mapBeside(location.map) : QString();
+  const QString map = beside.isEmpty() ? location.map : beside;
   const QStringList described_by = yamlsNaming(map);
   const QString& named = described_by.size() == 1 ? described_by.front() : map;
-  place.path = QString::fromStdString(waypointPathOf(named.toStdString()));
-  return place;
+  location.path = QString::fromStdString(waypointPathOf(named.toStdString()));
+  return location;
 }
 
-map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, Fault cause) const {
-  map::Failure failure{kind, map::placesOf(place.key, QFileInfo(place.map).fileName().toStdString())};
+map::Failure WaypointFiles::failure(const Location& location, map::FailureKind kind, Fault cause) const {
+  map::Failure failure{kind, map::placesOf(location.key, QFileInfo(location.map).fileName().toStdString())};
   failure.cause = std::move(cause);
   failure.reason = map::FailureReason::Unfit;
   return failure;
 }
 
-Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
-  const std::string path = place.path.toStdString();
+Outcome<WaypointFiles::Content> WaypointFiles::look(const Location& location) const {
+  const std::string path = location.path.toStdString();
   Content content;
   const auto unreadable = [&](Fault why) {
     return tl::make_unexpected(
-        failure(place, map::FailureKind::MalformedAnswer,
+        failure(location, map::FailureKind::MalformedAnswer,
                 {fault::WaypointFileNotRead, {path}, {std::move(why)}, Consequence::LeftAsItIs}));
   };
-  if (QFileInfo::exists(place.path) || QFileInfo(place.path).isSymLink()) {
+  if (QFileInfo::exists(location.path) || QFileInfo(location.path).isSymLink()) {
     auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
     if (!bytes) return unreadable(bytes.error().cause);
     if (bytes->size() > kMaxWaypointBytes) return unreadable({fault::FileTooLarge, {"64 MiB"}});
@@ -256,29 +257,29 @@ Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
 }
 
 Outcome<StoredWaypoints> WaypointFiles::read(const map::MapKey& key) {
-  const auto place = placeOf(key);
-  if (!place) return fail(place.error());
-  watch(place->path);
-  auto content = look(*place);
+  const auto location = locationOf(key);
+  if (!location) return fail(location.error());
+  watch(location->path);
+  auto content = look(*location);
   if (!content) return fail(content.error());
   return std::move(content->waypoints);
 }
 
 Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const WaypointRequest& request) {
-  const auto place = placeOf(key);
-  if (!place) return fail(place.error());
-  const disk::FolderLock lock(folderOf(place->path).toStdString());
-  const auto content = look(*place);
+  const auto location = locationOf(key);
+  if (!location) return fail(location.error());
+  const disk::FolderLock lock(folderOf(location->path).toStdString());
+  const auto content = look(*location);
   if (!content) return fail(content.error());
   if (content->waypoints.revision != request.revision) {
     return tl::make_unexpected(
-        failure(*place, map::FailureKind::Conflict, {fault::FileChanged, {place->path.toStdString()}}));
+        failure(*location, map::FailureKind::Conflict, {fault::FileChanged, {location->path.toStdString()}}));
   }
   const auto bytes = patchWaypoints(content->bytes, request.changes);
-  if (!bytes) return fail(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));
-  if (const auto fault = disk::writeFile(place->path.toStdString(), *bytes))
-    return fail(failure(*place, map::FailureKind::RejectedByRobot, disk::notWritten(*fault)));
-  watch(place->path);
+  if (!bytes) return fail(failure(*location, map::FailureKind::MalformedAnswer, bytes.error()));
+  if (const auto fault = disk::writeFile(location->path.toStdString(), *bytes))
+    return fail(failure(*location, map::FailureKind::RejectedByRobot, disk::notWritten(*fault)));
+  watch(location->path);
   return WaypointReceipt{};
 }
 

@@ -77,17 +77,17 @@ class WaypointFiles : public QObject {
   void changed();  // a list that was read, by someone else
 
  private:
-  struct Place {
+  struct Location {
     map::MapKey key;
     QString map, path;  // path: of the list
   };
-  Outcome<Place> placeOf(const map::MapKey& key) const;
-  map::Failure failure(const Place& place, map::FailureKind kind, Fault cause) const;
+  Outcome<Location> locationOf(const map::MapKey& key) const;
+  map::Failure failure(const Location& location, map::FailureKind kind, Fault cause) const;
   struct Content {
     std::string bytes;  // empty: there is no file
     StoredWaypoints waypoints;
   };
-  Outcome<Content> look(const Place& place) const;
+  Outcome<Content> look(const Location& location) const;
   void watch(const QString& path);
   void compare();
 

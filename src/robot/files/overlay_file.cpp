@@ -58,68 +58,69 @@ tl::expected<std::vector<map::OverlayFeature>, Fault> overlaysBeside(const QStri
 
 OverlayFiles::OverlayFiles(FileOptions options) : options_(std::move(options)) {}
 
-Outcome<OverlayFiles::Place> OverlayFiles::placeOf(const map::MapKey& key) const {
-  Place place{key, mapPathOf(options_.path, key), {}};
-  if (place.map.isEmpty()) return fail(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
-  place.path = overlayPathOfMap(place.map);
-  return place;
+Outcome<OverlayFiles::Location> OverlayFiles::locationOf(const map::MapKey& key) const {
+  Location location{key, mapPathOf(options_.path, key), {}};
+  if (location.map.isEmpty())
+    return fail(failure(location, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
+  location.path = overlayPathOfMap(location.map);
+  return location;
 }
 
-map::Failure OverlayFiles::failure(const Place& place, map::FailureKind kind, Fault cause) const {
-  map::Failure failure{kind, map::subjectOf(place.key, QFileInfo(place.map).fileName().toStdString())};
+map::Failure OverlayFiles::failure(const Location& location, map::FailureKind kind, Fault cause) const {
+  map::Failure failure{kind, map::subjectOf(location.key, QFileInfo(location.map).fileName().toStdString())};
   failure.cause = std::move(cause);
   failure.reason = map::FailureReason::Unfit;
   return failure;
 }
 
-Outcome<std::string> OverlayFiles::textOf(const Place& place) const {
-  auto text = textIn(place.path);
+Outcome<std::string> OverlayFiles::textOf(const Location& location) const {
+  auto text = textIn(location.path);
   if (!text)
-    return fail(failure(place, map::FailureKind::MalformedAnswer,
+    return fail(failure(location, map::FailureKind::MalformedAnswer,
                         {fault::WaypointFileNotRead,
-                         {place.path.toStdString()},
+                         {location.path.toStdString()},
                          {std::move(text.error())},
                          Consequence::LeftAsItIs}));
   return std::move(*text);
 }
 
-OverlayText OverlayFiles::remember(const Place& place, std::string text) {
-  Known& known = known_[place.path];
+OverlayText OverlayFiles::remember(const Location& location, std::string text) {
+  Known& known = known_[location.path];
   if (known.version == 0 || known.text != text) ++known.version;
   known.text = std::move(text);
-  return {known.text, known.version, {}, QFileInfo(place.path).fileName().toStdString()};
+  return {known.text, known.version, {}, QFileInfo(location.path).fileName().toStdString()};
 }
 
 Outcome<OverlayText> OverlayFiles::read(const map::MapKey& key) {
-  const auto place = placeOf(key);
-  if (!place) return fail(place.error());
-  auto text = textOf(*place);
+  const auto location = locationOf(key);
+  if (!location) return fail(location.error());
+  auto text = textOf(*location);
   if (!text) return fail(text.error());
-  return remember(*place, std::move(*text));
+  return remember(*location, std::move(*text));
 }
 
 Outcome<std::monostate> OverlayFiles::write(const map::MapKey& key, const std::string& text) {
-  const auto place = placeOf(key);
-  if (!place) return fail(place.error());
-  const disk::FolderLock lock(QFileInfo(place->path).absolutePath().toStdString());
-  const auto now = textOf(*place);
+  const auto location = locationOf(key);
+  if (!location) return fail(location.error());
+  const disk::FolderLock lock(QFileInfo(location->path).absolutePath().toStdString());
+  const auto now = textOf(*location);
   if (!now) return fail(now.error());
-  const auto known = known_.find(place->path);
+  const auto known = known_.find(location->path);
   const auto conflict = [&] {
     map::Failure changed =
-        failure(*place, map::FailureKind::Conflict, {fault::FileChanged, {place->path.toStdString()}});
+        failure(*location, map::FailureKind::Conflict, {fault::FileChanged, {location->path.toStdString()}});
     changed.asked_for = map::AskedFor::Change;
     changed.applied = map::Applied::No;
     return changed;
   };
   if (known == known_.end() || known->second.text != *now) return fail(conflict());
-  if (const auto trouble = disk::writeFile(place->path.toStdString(), text)) {
-    map::Failure refused = failure(*place, map::FailureKind::RejectedByRobot, disk::notWritten(*trouble));
+  if (const auto trouble = disk::writeFile(location->path.toStdString(), text)) {
+    map::Failure refused = failure(*location, map::FailureKind::RejectedByRobot, disk::notWritten(*trouble));
     refused.asked_for = map::AskedFor::Change;
     refused.applied = map::Applied::No;
     return fail(std::move(refused));
   }
-  remember(*place, text);
+  remember(*location, text);
   return std::monostate();
 }
 

@@ -36,14 +36,14 @@ class OverlayFiles : public QObject {
     std::string text;
     int version = 0;
   };
-  struct Place {
+  struct Location {
     map::MapKey key;
     QString map, path;
   };
-  Outcome<Place> placeOf(const map::MapKey& key) const;
-  map::Failure failure(const Place& place, map::FailureKind kind, Fault cause) const;
-  Outcome<std::string> textOf(const Place& place) const;
-  OverlayText remember(const Place& place, std::string text);
+  Outcome<Location> locationOf(const map::MapKey& key) const;
+  map::Failure failure(const Location& location, map::FailureKind kind, Fault cause) const;
+  Outcome<std::string> textOf(const Location& location) const;
+  OverlayText remember(const Location& location, std::string text);
 
   FileOptions options_;
   std::map<QString, Known> known_;  // by path

@@ -140,7 +140,7 @@ QCborMap poseOf(const Field& pose) {
           {QStringLiteral("orientation"), turnMap(pose["orientation"])}};
 }
 
-Eigen::Isometry3d placeOf(const Field& pose) {
+Eigen::Isometry3d transformOf(const Field& pose) {
   const Field at = pose["position"];
   Eigen::Isometry3d transform(turnOf(pose["orientation"]));
   transform.translation() = Eigen::Vector3d(numberOf(at["x"], 0), numberOf(at["y"], 0), numberOf(at["z"], 0));
@@ -150,10 +150,10 @@ Eigen::Isometry3d placeOf(const Field& pose) {
 /// Points as floats, x y z and intensity.
 class Points {
  public:
-  explicit Points(const Field& pose) : place_(placeOf(pose)) {}
+  explicit Points(const Field& pose) : transform_(transformOf(pose)) {}
   void reserve(std::size_t count) { bytes_.reserve(qsizetype(count * kRecord)); }
   void add(const Eigen::Vector3d& at, double intensity) {
-    const Eigen::Vector3d placed = place_ * at;
+    const Eigen::Vector3d placed = transform_ * at;
     if (!placed.allFinite()) return;
     for (const double value : {placed.x(), placed.y(), placed.z(), intensity}) {
       const float number = float(value);
@@ -184,7 +184,7 @@ class Points {
 
  private:
   static constexpr std::size_t kRecord = 4 * sizeof(float);
-  Eigen::Isometry3d place_;
+  Eigen::Isometry3d transform_;
   QByteArray bytes_;
 };
 

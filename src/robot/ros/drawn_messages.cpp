@@ -54,9 +54,9 @@ Read<Poses> readParticles(const Field& msg) {
   Poses all;
   all.header = headerOf(msg);
   const std::size_t stride = strideFor(list.size(), kMostPoses);
-  std::size_t place = 0;
+  std::size_t index = 0;
   list.each([&](const Field& item) {
-    if (place++ % stride != 0) return;
+    if (index++ % stride != 0) return;
     const geometry::Pose2 pose = poseOf(item["pose"]).pose.flat();
     if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m)) all.poses.push_back(pose);
   });
@@ -95,10 +95,10 @@ Read<Marker> readGridCells(const Field& msg) {
   marker.scale_m = {numberOr(msg["cell_width"], 0), numberOr(msg["cell_height"], 0), 0};
   for (double& edge : marker.scale_m) edge = std::isfinite(edge) ? std::abs(edge) : 0;
   const std::size_t stride = strideFor(list.size(), kMostDrawnCells);
-  std::size_t place = 0;
+  std::size_t index = 0;
   list.each([&](const Field& item) {
     const Eigen::Vector2d at = pointOf(item).head<2>();
-    if (place++ % stride == 0 && at.allFinite()) marker.points.push_back(onGround(at));
+    if (index++ % stride == 0 && at.allFinite()) marker.points.push_back(onGround(at));
   });
   return marker;
 }

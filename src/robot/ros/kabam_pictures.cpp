@@ -214,7 +214,7 @@ void KabamPictures::send(const WritingPtr& writing) {
         return now && !now->changed_meanwhile;
       });
   net::rosbridge::CallRequest request;
-  request.service = state.place() + "/update_map_image";
+  request.service = state.ns() + "/update_map_image";
   request.made_while_sent = writing->args;
   request.travelled = [task = writing->task](qint64 bytes, qint64 of_bytes) {
     task->reportProgress({bytes, of_bytes});

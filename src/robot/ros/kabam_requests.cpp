@@ -129,13 +129,13 @@ KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamTimeouts timeo
       when_known_(std::move(when_known)),
       fixed_frame_(std::move(fixed_frame)) {}
 
-bool KabamRequests::setPlace(const std::optional<std::string>& place) {
-  if (place) {
-    state_.setPlace(*place);
+bool KabamRequests::setNamespace(const std::optional<std::string>& ns) {
+  if (ns) {
+    state_.setNamespace(*ns);
   } else {
     state_.forget();
   }
-  return std::exchange(there_, place.has_value()) != there_;
+  return std::exchange(there_, ns.has_value()) != there_;
 }
 
 void KabamRequests::emitChanges(const KabamState::Update& update) {
@@ -150,7 +150,7 @@ void KabamRequests::emitChanges(const KabamState::Update& update) {
 void KabamRequests::ask(const wire::TaskPtr& task, const char* service, QByteArray args,
                         net::rosbridge::Reply reply, std::optional<milliseconds> timeout) {
   net::rosbridge::CallRequest request;
-  request.service = state_.place() + '/' + service;
+  request.service = state_.ns() + '/' + service;
   request.args = std::move(args);
   request.timeout = timeout.value_or(timeouts_.call);
   call(task, client_, std::move(request), std::move(reply));
@@ -174,7 +174,7 @@ void KabamRequests::whenListed(const wire::TaskPtr& task, const map::Subject& su
                   "the robot's map manager did not list its maps in time; it may be busy, or the rosbridge "
                   "server may lack its message types (kabam_msgs)"),
         fault::LinkBrokeOff);
-    const QString refusal = client_.refusalOf(state_.place() + "/map_list");
+    const QString refusal = client_.refusalOf(state_.ns() + "/map_list");
     if (how == End::TooLate && !refusal.isEmpty())
       failure.cause.because = {Fault(robot::fault::ItAnswered, {refusal.toStdString()})};
     failure.asked_for = asked_for;

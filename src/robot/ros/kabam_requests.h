@@ -41,7 +41,7 @@ class KabamRequests : public QObject {
 
   KabamState& state() { return state_; }
   /// Where the manager is ("/map_manager"); nullopt: there is none. True when it has come or gone.
-  bool setPlace(const std::optional<std::string>& place);
+  bool setNamespace(const std::optional<std::string>& ns);
   bool there() const { return there_; }
   /// Tells what has changed in the state; what waits for it is looked at.
   void emitChanges(const KabamState::Update& update);

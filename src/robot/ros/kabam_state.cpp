@@ -21,15 +21,15 @@ bool replace(std::optional<T>& kept, std::optional<T> now) {
 }  // namespace
 
 std::vector<std::string> KabamState::topics() const {
-  return {place_ + kCurrent, place_ + kActive, place_ + kArchived, place_ + kWaypoints};
+  return {ns_ + kCurrent, ns_ + kActive, ns_ + kArchived, ns_ + kWaypoints};
 }
 
 KabamState::Update KabamState::apply(const std::string& topic,
                                      const std::shared_ptr<const net::rosbridge::Frame>& frame,
                                      const Field& msg) {
   Update update;
-  if (!topic.starts_with(place_)) return update;
-  const std::string name = topic.substr(place_.size());
+  if (!topic.starts_with(ns_)) return update;
+  const std::string name = topic.substr(ns_.size());
   update.own = name == kCurrent || name == kActive || name == kArchived || name == kWaypoints;
   if (!update.own) return update;
   if (name == kCurrent) {

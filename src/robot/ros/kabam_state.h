@@ -16,8 +16,8 @@ namespace mapwright::robot::ros {
 class KabamState {
  public:
   /// Sets their namespace ("/map_manager").
-  void setPlace(std::string place) { place_ = std::move(place); }
-  const std::string& place() const { return place_; }
+  void setNamespace(std::string ns) { ns_ = std::move(ns); }
+  const std::string& ns() const { return ns_; }
   std::vector<std::string> topics() const;
 
   struct Update {
@@ -52,7 +52,7 @@ class KabamState {
   map::MapInfo mapInfo() const;
 
  private:
-  std::string place_ = "/map_manager";
+  std::string ns_ = "/map_manager";
   std::optional<std::vector<KabamMap>> active_, archived_;
   std::optional<KabamCurrent> current_;
   std::shared_ptr<const net::rosbridge::Frame> waypoints_frame_;

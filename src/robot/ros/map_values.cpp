@@ -87,9 +87,9 @@ map::PointCloudMessage placedAlong(const Points& points, const std::string& topi
   const double steps = double(along.size() - 1);
   for (std::size_t i = 0; i < placed->size(); ++i) {
     map::CloudPoint& point = (*placed)[i];
-    const double place = std::clamp(double(points.when[i]), 0.0, 1.0) * steps;
-    const std::size_t step = std::min(std::size_t(place), along.size() - 2);
-    const Transform3 in_map = between(along[step], along[step + 1], place - double(step));
+    const double position = std::clamp(double(points.when[i]), 0.0, 1.0) * steps;
+    const std::size_t step = std::min(std::size_t(position), along.size() - 2);
+    const Transform3 in_map = between(along[step], along[step + 1], position - double(step));
     const Eigen::Vector3d at = in_map.apply({point.x_m, point.y_m, double(point.z_m)});
     point.x_m = at.x();
     point.y_m = at.y();

@@ -38,9 +38,9 @@ Outline outlineOf(const Field& msg, const Field& list, const PointAt& point_at) 
   Outline outline;
   outline.header = headerOf(msg);
   const std::size_t stride = strideFor(list.size(), kMostOutlinePoints);
-  std::size_t place = 0;
+  std::size_t index = 0;
   list.each([&](const Field& item) {
-    if (place++ % stride != 0) return;
+    if (index++ % stride != 0) return;
     const Eigen::Vector2d point = pointOf(point_at(item)).template head<2>();
     if (point.allFinite()) {
       outline.points.push_back(point);
@@ -382,9 +382,9 @@ Read<Poses> readPoseArray(const Field& msg) {
   Poses all;
   all.header = headerOf(msg);
   const std::size_t stride = strideFor(list.size(), kMostPoses);
-  std::size_t place = 0;
+  std::size_t index = 0;
   list.each([&](const Field& item) {
-    if (place++ % stride != 0) return;
+    if (index++ % stride != 0) return;
     const geometry::Pose2 pose = poseOf(item).pose.flat();
     if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m)) all.poses.push_back(pose);
   });

@@ -214,8 +214,8 @@ bool RobotTransforms::rootServesAll() const {
 }
 
 void RobotTransforms::show(const std::string& robot) {
-  const auto place = std::find(namespaces_.begin(), namespaces_.end(), robot);
-  if (place != namespaces_.end()) std::rotate(namespaces_.begin(), place, place + 1);
+  const auto found = std::find(namespaces_.begin(), namespaces_.end(), robot);
+  if (found != namespaces_.end()) std::rotate(namespaces_.begin(), found, found + 1);
 }
 
 }  // namespace mapwright::robot::ros

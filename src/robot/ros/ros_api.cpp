@@ -175,10 +175,10 @@ RosDefinition definitionAround(const RosDefinition& inner, const std::string& ty
 }
 
 std::optional<std::string> mapManagerIn(const RosGraph& found, const std::string& ns) {
-  std::vector<std::string> places;
+  std::vector<std::string> namespaces;
   const auto add = [&](const std::string& name, std::string_view member) {
     const std::string tail = kManager + std::string(member);
-    if (name.ends_with(tail)) places.push_back(name.substr(0, name.size() - member.size()));
+    if (name.ends_with(tail)) namespaces.push_back(name.substr(0, name.size() - member.size()));
   };
   if (found.services) {
     for (const std::string& service : *found.services) add(service, "/load_map");
@@ -188,13 +188,14 @@ std::optional<std::string> mapManagerIn(const RosGraph& found, const std::string
       if (topic.type.empty() || plainType(topic.type) == "kabam_msgs/MapList") add(topic.name, "/map_list");
     }
   }
-  if (places.empty()) return std::nullopt;
-  return *std::min_element(places.begin(), places.end(), [&](const std::string& a, const std::string& b) {
-    const auto rank = [&](const std::string& place) {
-      return std::tuple(place != ns + kManager, place.size(), place);
-    };
-    return rank(a) < rank(b);
-  });
+  if (namespaces.empty()) return std::nullopt;
+  return *std::min_element(namespaces.begin(), namespaces.end(),
+                           [&](const std::string& a, const std::string& b) {
+                             const auto rank = [&](const std::string& manager_ns) {
+                               return std::tuple(manager_ns != ns + kManager, manager_ns.size(), manager_ns);
+                             };
+                             return rank(a) < rank(b);
+                           });
 }
 
 std::string typeOf(const RosGraph& found, const std::string& topic) {
@@ -345,9 +346,9 @@ void RosApi::define(const std::string& type, std::function<void(std::optional<Ro
       });
 }
 
-void RosApi::probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then) {
+void RosApi::probeMapManager(const std::string& manager_ns, std::function<void(std::optional<bool>)> then) {
   // Read-only, whatever service it is.
-  ask((place + "/get_waypoint").c_str(), getWaypointArgs({}),
+  ask((manager_ns + "/get_waypoint").c_str(), getWaypointArgs({}),
       [then = std::move(then)](const CallAnswer& answer) {
         then(silent(answer) ? std::nullopt : std::optional(answered(answer)));
       });

@@ -67,8 +67,8 @@ class RosApi : public QObject {
   void countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then);
   /// The definition of this message type ("nav_msgs/Path", "nav_msgs/msg/Path"); nullopt: unknown.
   void define(const std::string& type, std::function<void(std::optional<RosDefinition>)> then);
-  /// Whether a map manager answers at `place`, if services are not listed; nullopt: no answer.
-  void probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then);
+  /// Whether a map manager answers at `manager_ns`, if services are not listed; nullopt: no answer.
+  void probeMapManager(const std::string& manager_ns, std::function<void(std::optional<bool>)> then);
 
  private:
   struct Look {

@@ -292,11 +292,12 @@ void RosLink::look() {
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return onLook(std::move(found), std::move(manager));
     // Nobody tells: it is asked something.
-    const std::string place = kabam_.there() ? kabam_.state().place() : options_.ns + "/map_manager";
-    api_.probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
-      if (round == round_)
-        onLook(found, there.value_or(kabam_.there()) ? std::optional(place) : std::nullopt);
-    });
+    const std::string manager_ns = kabam_.there() ? kabam_.state().ns() : options_.ns + "/map_manager";
+    api_.probeMapManager(
+        manager_ns, [this, round, found = std::move(found), manager_ns](std::optional<bool> there) {
+          if (round == round_)
+            onLook(found, there.value_or(kabam_.there()) ? std::optional(manager_ns) : std::nullopt);
+        });
   });
 }
 
@@ -327,7 +328,7 @@ void RosLink::onLook(RosGraph found, std::optional<std::string> manager) {
   awaits_manager_ = false;
   graph_ = std::move(found);
   dispatch_.setDispatcher(dispatcherIn(graph_.dispatch_services, sentTopics(graph_), options_.dispatch));
-  const bool other = kabam_.setPlace(manager);
+  const bool other = kabam_.setNamespace(manager);
   selection_.managers_own = manager ? kabam_.state().topics() : std::vector<std::string>();
   findSources();
   const bool takes_pictures =

@@ -52,13 +52,13 @@ Transforms::Index Transforms::indexOf(const std::string& name) const {
 }
 
 Transforms::Index Transforms::made(const std::string& name) {
-  const auto [place, is_new] = by_name_.try_emplace(name, frames_.size());
+  const auto [entry, is_new] = by_name_.try_emplace(name, frames_.size());
   if (is_new) {
     Frame frame;
     frame.name = name;
     frames_.push_back(std::move(frame));
   }
-  return place->second;
+  return entry->second;
 }
 
 bool Transforms::hangsBelow(Index frame, Index above) const {
@@ -137,13 +137,13 @@ void Transforms::file(std::deque<Stamped>& history, const Stamped& entry) {
   if (!history.empty() && entry.at_s < history.back().at_s - kLateS) {
     history.erase(std::upper_bound(history.begin(), history.end(), entry.at_s, later), history.end());
   }
-  auto place = history.empty() || history.back().at_s < entry.at_s
-                   ? history.end()
-                   : std::upper_bound(history.begin(), history.end(), entry.at_s, later);
-  if (place != history.begin() && std::prev(place)->at_s == entry.at_s) {
-    std::prev(place)->transform = entry.transform;
+  auto next = history.empty() || history.back().at_s < entry.at_s
+                  ? history.end()
+                  : std::upper_bound(history.begin(), history.end(), entry.at_s, later);
+  if (next != history.begin() && std::prev(next)->at_s == entry.at_s) {
+    std::prev(next)->transform = entry.transform;
   } else {
-    history.insert(place, entry);
+    history.insert(next, entry);
   }
   while (history.size() > kMostStamps || history.front().at_s < history.back().at_s - kHistoryS)
     history.pop_front();
