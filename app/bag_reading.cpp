@@ -248,9 +248,9 @@ void BagReading::reportUnreadable(double until_s, std::optional<double> from_s) 
 }
 
 QString numbered(const QString& pattern, int number) {
-  static const QRegularExpression place(QStringLiteral("%(?:0(\\d{1,2}))?d"));
-  const QRegularExpressionMatch match = place.match(pattern);
-  if (!match.hasMatch() || pattern.indexOf(place, match.capturedEnd()) >= 0) return {};
+  static const QRegularExpression number_pattern(QStringLiteral("%(?:0(\\d{1,2}))?d"));
+  const QRegularExpressionMatch match = number_pattern.match(pattern);
+  if (!match.hasMatch() || pattern.indexOf(number_pattern, match.capturedEnd()) >= 0) return {};
   const QString digits = QStringLiteral("%1").arg(number, match.captured(1).toInt(), 10, QLatin1Char('0'));
   return pattern.left(match.capturedStart()) + digits + pattern.mid(match.capturedEnd());
 }

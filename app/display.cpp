@@ -68,8 +68,8 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
   if (pinFontsIn(QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
                  QStringLiteral("/mapwright")))
     return nullptr;
-  for (const QString& place : {QStringLiteral("/dev/shm"), QDir::tempPath()}) {
-    auto folder = std::make_unique<QTemporaryDir>(place + QStringLiteral("/mapwright-XXXXXX"));
+  for (const QString& parent : {QStringLiteral("/dev/shm"), QDir::tempPath()}) {
+    auto folder = std::make_unique<QTemporaryDir>(parent + QStringLiteral("/mapwright-XXXXXX"));
     if (folder->isValid() && pinFontsIn(folder->path())) return folder;
   }
   say(Text::tr("No folder is writable, so the built-in fonts cannot be used. Labels may look different."));

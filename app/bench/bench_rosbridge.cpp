@@ -222,14 +222,14 @@ double threadSeconds() {
 void RosTransformsWhileDrawing(benchmark::State& state) {
   using namespace mapwright;
   QThread beside;
-  QObject place;
+  QObject on_thread;
   QTimer* ticks = nullptr;
   QWebSocketServer* server = nullptr;
   quint16 port = 0;
-  place.moveToThread(&beside);
+  on_thread.moveToThread(&beside);
   beside.start();
   QMetaObject::invokeMethod(
-      &place,
+      &on_thread,
       [&] {
         server = new QWebSocketServer(QStringLiteral("bench"), QWebSocketServer::NonSecureMode);
         server->listen(QHostAddress::LocalHost);
@@ -276,7 +276,7 @@ void RosTransformsWhileDrawing(benchmark::State& state) {
     }
   }
   QMetaObject::invokeMethod(
-      &place, [&] { delete server; }, Qt::BlockingQueuedConnection);
+      &on_thread, [&] { delete server; }, Qt::BlockingQueuedConnection);
   beside.quit();
   beside.wait();
 }

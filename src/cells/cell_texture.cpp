@@ -61,7 +61,7 @@ bool DenseCells::emptyWithin(int u0, int v0, int u1, int v1) const {
 
 CellTexture::CellTexture() = default;
 CellTexture::~CellTexture() {
-  if (store_) store_->forget(place_);
+  if (store_) store_->forget(index_);
 }
 
 std::shared_ptr<const CellTexture> CellTexture::fromPairs(int width, int height, double resolution_m,

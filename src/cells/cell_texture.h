@@ -99,7 +99,7 @@ class CellTexture {
   // Handed to a store before anybody else has the texture, and not modified after that.
   mutable std::shared_ptr<const Body> body_;
   mutable std::shared_ptr<TextureStore> store_;
-  mutable std::uint32_t place_ = 0;  // in the store
+  mutable std::uint32_t index_ = 0;  // in the store
   int levels_ = 0;
   std::size_t bytes_ = 0;
   int width_ = 0, height_ = 0;

@@ -25,33 +25,33 @@ void TextureStore::silence() {
 
 void TextureStore::keep(const CellTexture& texture, std::uint64_t owner) {
   std::unique_lock lock(mutex_);
-  std::uint32_t place = std::uint32_t(entries_.size());
-  if (free_places_.empty()) {
+  std::uint32_t index = std::uint32_t(entries_.size());
+  if (free_indexes_.empty()) {
     entries_.emplace_back();
   } else {
-    place = free_places_.back();
-    free_places_.pop_back();
+    index = free_indexes_.back();
+    free_indexes_.pop_back();
   }
-  Entry& entry = entries_[place];
+  Entry& entry = entries_[index];
   entry.bytes = texture.bytes();
   entry.owner = owner;
-  admit(place, std::exchange(texture.body_, nullptr));
-  texture.place_ = place;
+  admit(index, std::exchange(texture.body_, nullptr));
+  texture.index_ = index;
   texture.store_ = shared_from_this();
   makeRoom(lock);
 }
 
-void TextureStore::admit(std::uint32_t place, BodyPtr body) {
-  Entry& entry = entries_[place];
+void TextureStore::admit(std::uint32_t index, BodyPtr body) {
+  Entry& entry = entries_[index];
   entry.body = std::move(body);
-  recent_.push_front(place);
+  recent_.push_front(index);
   entry.used = recent_.begin();
   in_memory_ += entry.bytes;
 }
 
 TextureStore::BodyPtr TextureStore::bodyOf(const CellTexture& texture) {
   std::unique_lock lock(mutex_);
-  Entry& entry = entries_[texture.place_];
+  Entry& entry = entries_[texture.index_];
   if (entry.body) {
     recent_.splice(recent_.begin(), recent_, entry.used);
     return entry.body;
@@ -64,7 +64,7 @@ TextureStore::BodyPtr TextureStore::bodyOf(const CellTexture& texture) {
   auto body = std::make_shared<Body>(texture.width(), texture.height(), texture.layout());
   const bool whole = file_->read(packed, range.at) && body->unpack(packed);
   lock.lock();
-  Entry& again = entries_[texture.place_];
+  Entry& again = entries_[texture.index_];
   if (again.body) return again.body;
   if (!whole) {
     if (std::exchange(again.is_lost, true)) return nullptr;
@@ -75,7 +75,7 @@ TextureStore::BodyPtr TextureStore::bodyOf(const CellTexture& texture) {
     if (listener_.lost) listener_.lost(owner);
     return nullptr;
   }
-  admit(texture.place_, body);
+  admit(texture.index_, body);
   makeRoom(lock);
   return body;
 }
@@ -83,8 +83,8 @@ TextureStore::BodyPtr TextureStore::bodyOf(const CellTexture& texture) {
 void TextureStore::makeRoom(std::unique_lock<std::mutex>& lock) {
   auto at = recent_.end();
   while (in_memory_ > options_.budget_bytes && at != recent_.begin()) {
-    const std::uint32_t place = *--at;
-    Entry& entry = entries_[place];
+    const std::uint32_t index = *--at;
+    Entry& entry = entries_[index];
     if (entry.leaving) continue;
     if (entry.on_disk.size > 0) {
       in_memory_ -= entry.bytes;
@@ -103,7 +103,7 @@ void TextureStore::makeRoom(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     const std::string why = file_->write(packed, range.at);
     lock.lock();
-    Entry& written = entries_[place];
+    Entry& written = entries_[index];
     if (written.tenant != tenant || !why.empty()) giveBack(range);
     if (written.tenant == tenant) {
       written.leaving = false;
@@ -137,10 +137,10 @@ void TextureStore::giveBack(Range range) {
   gaps_.emplace(range.size, range.at);
 }
 
-void TextureStore::forget(std::uint32_t place) {
+void TextureStore::forget(std::uint32_t index) {
   BodyPtr body;  // goes after the lock
   const std::lock_guard lock(mutex_);
-  Entry& entry = entries_[place];
+  Entry& entry = entries_[index];
   if (entry.body) {
     in_memory_ -= entry.bytes;
     recent_.erase(entry.used);
@@ -150,7 +150,7 @@ void TextureStore::forget(std::uint32_t place) {
   const std::uint32_t tenant = entry.tenant + 1;
   entry = {};
   entry.tenant = tenant;
-  free_places_.push_back(place);
+  free_indexes_.push_back(index);
 }
 
 std::size_t TextureStore::bytesInMemory() const {

@@ -63,14 +63,14 @@ class TextureStore : public std::enable_shared_from_this<TextureStore> {
     Range on_disk;  // size 0: not yet
     std::uint64_t owner = 0;
     std::list<std::uint32_t>::iterator used;  // while `body` is set
-    std::uint32_t tenant = 0;                 // number of textures that have used this place
+    std::uint32_t tenant = 0;                 // number of textures that have used this entry
     bool leaving = false;                     // is being written
     bool is_lost = false;
   };
   explicit TextureStore(Options options, Listener listener);
   BodyPtr bodyOf(const CellTexture& texture);
-  void forget(std::uint32_t place);
-  void admit(std::uint32_t place, BodyPtr body);
+  void forget(std::uint32_t index);
+  void admit(std::uint32_t index, BodyPtr body);
   void makeRoom(std::unique_lock<std::mutex>& lock);
   Range allocateRange(std::size_t size);
   void giveBack(Range range);
@@ -81,7 +81,7 @@ class TextureStore : public std::enable_shared_from_this<TextureStore> {
   Listener listener_;
   const std::unique_ptr<disk::ScratchFile> file_;
   std::vector<Entry> entries_;
-  std::vector<std::uint32_t> free_places_;
+  std::vector<std::uint32_t> free_indexes_;
   std::list<std::uint32_t> recent_;                 // most recently used first
   std::multimap<std::size_t, std::uint64_t> gaps_;  // in the file, by size
   std::uint64_t file_end_ = 0;

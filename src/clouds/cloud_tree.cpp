@@ -178,11 +178,11 @@ double voxelSize(const CloudTree& tree) {
   std::map<std::int64_t, std::size_t> gaps;  // tenths of millimetres
   std::size_t all = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    std::vector<float> places;
-    for (std::size_t i = 0; i < points.size(); i += step) places.push_back(points[i][axis]);
-    std::sort(places.begin(), places.end());
-    for (std::size_t i = 1; i < places.size(); ++i) {
-      const double gap = double(places[i]) - double(places[i - 1]);
+    std::vector<float> coordinates;
+    for (std::size_t i = 0; i < points.size(); i += step) coordinates.push_back(points[i][axis]);
+    std::sort(coordinates.begin(), coordinates.end());
+    for (std::size_t i = 1; i < coordinates.size(); ++i) {
+      const double gap = double(coordinates[i]) - double(coordinates[i - 1]);
       if (gap < kLeastM || gap > 1e3) continue;
       ++gaps[std::llround(gap * 1e4)];
       ++all;

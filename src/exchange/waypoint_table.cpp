@@ -431,8 +431,9 @@ void knowByPlace(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept)
     keys.emplace(&point, key);
   }
   const auto findFor = [&](WantedWaypoint& one) {
-    for (int place = 0; place < 9; ++place) {
-      const auto [first, last] = by_cell.equal_range(cellOf(*one.position_m, place / 3 - 1, place % 3 - 1));
+    for (int neighbor = 0; neighbor < 9; ++neighbor) {
+      const auto [first, last] =
+          by_cell.equal_range(cellOf(*one.position_m, neighbor / 3 - 1, neighbor % 3 - 1));
       for (auto near = first; near != last; ++near) {
         const map::Waypoint& point = *near->second;
         if (!map::samePlace(point.position_m, *one.position_m)) continue;

@@ -73,8 +73,8 @@ std::string inEnglish(const Fault& fault) {
       english += text[i];
       continue;
     }
-    const auto place = std::size_t(text[++i] - '0');
-    if (place >= 1 && place <= fault.arguments.size()) english += textOf(fault.arguments[place - 1]);
+    const auto number = std::size_t(text[++i] - '0');
+    if (number >= 1 && number <= fault.arguments.size()) english += textOf(fault.arguments[number - 1]);
   }
   const char* between = english.empty() ? "" : ": ";
   for (const Fault& cause : fault.because) {

@@ -38,8 +38,8 @@ class BmpRows final : public PictureRows {
   const PixelFormat& format() const override { return header_.format; }
   const std::uint8_t* next() override {
     if (done_ == header_.format.height) return nullptr;
-    const int place = header_.top_down ? done_ : header_.format.height - 1 - done_;
-    if (!bytes_.readAt(header_.pixels_at + std::uint64_t(place) * header_.stored_row, stored_.data(),
+    const int row_in_file = header_.top_down ? done_ : header_.format.height - 1 - done_;
+    if (!bytes_.readAt(header_.pixels_at + std::uint64_t(row_in_file) * header_.stored_row, stored_.data(),
                        stored_.size())) {
       problem_ = fault::DataEnds;
       return nullptr;

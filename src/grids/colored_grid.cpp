@@ -74,7 +74,7 @@ std::array<std::uint8_t, kPaletteSize> rankOf(const std::vector<Argb>& palette) 
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
-  for (std::size_t place = 0; place < order.size(); ++place) rank[order[place]] = std::uint8_t(place);
+  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = std::uint8_t(i);
   for (std::size_t n = 0; n < palette.size(); ++n) {
     if (palette[n] >> 24 == 0) rank[n] = 0;
   }

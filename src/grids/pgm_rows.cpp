@@ -21,13 +21,13 @@ class Cursor {
  public:
   Cursor(ByteSource& bytes, std::uint64_t at) : bytes_(bytes), at_(at) {}
   int next() {  // -1 at the end
-    if (place_ == window_.size()) {
+    if (position_ == window_.size()) {
       window_ = bytes_.window(at_, kTextWindow);
-      place_ = 0;
+      position_ = 0;
       if (window_.empty()) return -1;
     }
     ++at_;
-    return window_[place_++];
+    return window_[position_++];
   }
   /// The next number, after white space and comments; -1: there is none. Consumes one byte after it.
   long number() {
@@ -55,7 +55,7 @@ class Cursor {
   ByteSource& bytes_;
   std::uint64_t at_;
   std::span<const std::uint8_t> window_;
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
 };
 
 PixelFormat formatOf(int width, int height, int maxval) {

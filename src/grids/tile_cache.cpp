@@ -11,21 +11,21 @@ TileCache::Cells TileCache::find(std::uint64_t owner, std::uint64_t tile) {
   const Key key{owner, tile};
   Shard& shard = shardOf(key);
   const std::lock_guard lock(shard.mutex);
-  const auto place = shard.places.find(key);
-  if (place == shard.places.end()) return nullptr;
-  shard.order.splice(shard.order.begin(), shard.order, place->second);
-  return place->second->second;
+  const auto found = shard.by_key.find(key);
+  if (found == shard.by_key.end()) return nullptr;
+  shard.order.splice(shard.order.begin(), shard.order, found->second);
+  return found->second->second;
 }
 
 void TileCache::insert(std::uint64_t owner, std::uint64_t tile, Cells cells) {
   const Key key{owner, tile};
   Shard& shard = shardOf(key);
   const std::lock_guard lock(shard.mutex);
-  if (shard.places.contains(key)) return;  // another thread was faster
+  if (shard.by_key.contains(key)) return;  // another thread was faster
   shard.order.emplace_front(key, std::move(cells));
-  shard.places.emplace(key, shard.order.begin());
+  shard.by_key.emplace(key, shard.order.begin());
   if (shard.order.size() > shard_capacity_) {
-    shard.places.erase(shard.order.back().first);
+    shard.by_key.erase(shard.order.back().first);
     shard.order.pop_back();
   }
 }
@@ -33,7 +33,7 @@ void TileCache::insert(std::uint64_t owner, std::uint64_t tile, Cells cells) {
 void TileCache::forget(std::uint64_t owner) {
   for (Shard& shard : shards_) {
     const std::lock_guard lock(shard.mutex);
-    std::erase_if(shard.places, [&](const auto& place) { return place.first.owner == owner; });
+    std::erase_if(shard.by_key, [&](const auto& entry) { return entry.first.owner == owner; });
     std::erase_if(shard.order, [&](const auto& entry) { return entry.first.owner == owner; });
   }
 }

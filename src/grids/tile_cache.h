@@ -49,7 +49,7 @@ class TileCache {
   struct Shard {
     mutable std::mutex mutex;
     std::list<std::pair<Key, Cells>> order;  // most recent first
-    std::unordered_map<Key, std::list<std::pair<Key, Cells>>::iterator, KeyHash> places;
+    std::unordered_map<Key, std::list<std::pair<Key, Cells>>::iterator, KeyHash> by_key;
   };
   Shard& shardOf(const Key& key) { return shards_[(key.tile + key.owner) % kShards]; }
 

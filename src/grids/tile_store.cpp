@@ -66,7 +66,7 @@ std::uint32_t TileStore::checksum(std::size_t number, const std::uint8_t* bytes,
   return crc32_gzip_refl(salt_ ^ std::uint32_t(number * 0x9e3779b1u), bytes, size);
 }
 
-std::optional<std::size_t> TileStore::place(int level, int tile_x, int tile_y) const {
+std::optional<std::size_t> TileStore::numberOf(int level, int tile_x, int tile_y) const {
   if (level < 0 || std::size_t(level) >= levels_.size()) return std::nullopt;
   const TileLevel& at = levels_[std::size_t(level)];
   if (tile_x < 0 || tile_y < 0 || tile_x >= at.tiles_x || tile_y >= at.tiles_y) return std::nullopt;
@@ -74,7 +74,8 @@ std::optional<std::size_t> TileStore::place(int level, int tile_x, int tile_y) c
 }
 
 void TileStore::putUniform(int level, int tile_x, int tile_y, std::uint8_t value) {
-  entries_[*place(level, tile_x, tile_y)].store(entryOf(Kind::Uniform, 0, value), std::memory_order_release);
+  entries_[*numberOf(level, tile_x, tile_y)].store(entryOf(Kind::Uniform, 0, value),
+                                                   std::memory_order_release);
 }
 
 void TileStore::put(int level, int tile_x, int tile_y, const std::uint8_t* cells) {
@@ -88,7 +89,7 @@ void TileStore::put(int level, int tile_x, int tile_y, const std::uint8_t* cells
   if (plain) size = kTileCells;
   std::uint64_t offset = 0;
   std::uint8_t* out = reserve(kChecksumBytes + size, offset);
-  const std::size_t number = *place(level, tile_x, tile_y);
+  const std::size_t number = *numberOf(level, tile_x, tile_y);
   const std::uint32_t sum = checksum(number, bytes, size);
   std::memcpy(out, &sum, kChecksumBytes);
   std::memcpy(out + kChecksumBytes, bytes, size);
@@ -166,7 +167,7 @@ bool TileStore::restore(const std::vector<std::uint64_t>& index, int fd, std::in
 }
 
 std::optional<GridTile> TileStore::get(int level, int tile_x, int tile_y) const {
-  const auto number = place(level, tile_x, tile_y);
+  const auto number = numberOf(level, tile_x, tile_y);
   if (!number) return std::nullopt;
   const std::uint64_t entry = entries_[*number].load(std::memory_order_acquire);
   if (kindOf(entry) == Kind::Absent) return std::nullopt;

@@ -64,7 +64,7 @@ class TileStore {
 
  private:
   using Chunk = std::shared_ptr<std::uint8_t[]>;
-  std::optional<std::size_t> place(int level, int tile_x, int tile_y) const;
+  std::optional<std::size_t> numberOf(int level, int tile_x, int tile_y) const;
   std::uint8_t* reserve(std::size_t size, std::uint64_t& offset);
   void retireChunk();
   GridTile unpack(std::size_t number, std::uint64_t entry) const;

@@ -352,7 +352,7 @@ JsonText JsonText::rewritten(std::vector<Rewrite> rewrites) {
     for (std::uint32_t* const at : {&node.begin, &node.end, &node.key_begin, &node.key_end}) {
       const auto after =
           std::upper_bound(shifts.begin(), shifts.end(), std::size_t(*at),
-                           [](std::size_t place, const auto& shift) { return place < shift.first; });
+                           [](std::size_t offset, const auto& shift) { return offset < shift.first; });
       *at += std::prev(after)->second;
     }
   }

@@ -71,8 +71,8 @@ struct Reducer {
   double at_s;
 
   void operator()(const auto& message) {
-    const auto [place, said] = kept(state, message);
-    place = said;
+    const auto [target, said] = kept(state, message);
+    target = said;
   }
   void operator()(const TrackedPose& tracked) {
     state.robot_pose = tracked.pose;
@@ -115,8 +115,8 @@ struct Comparer {
   }
 
   bool operator()(const auto& message) const {
-    const auto [place, said] = kept(state, message);
-    return place == said;
+    const auto [target, said] = kept(state, message);
+    return target == said;
   }
   bool operator()(const TrackedPose& tracked) const { return state.robot_pose == tracked.pose; }
   bool operator()(const GridMessage& grid) const {

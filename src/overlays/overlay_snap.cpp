@@ -50,10 +50,10 @@ void SnapIndex::finish() {
     low = low.cwiseMin(side.from_m).cwiseMin(side.to_m);
     high = high.cwiseMax(side.from_m).cwiseMax(side.to_m);
   }
-  places_.clear();
+  by_cell_.clear();
   if (sides_.empty()) return;
   cell_m_ = std::max(kLeastCellM, (high - low).maxCoeff() / kMostSnapCells);
-  places_.reserve(sides_.size());
+  by_cell_.reserve(sides_.size());
   for (std::uint32_t i = 0; i < sides_.size(); ++i) {
     const Side& side = sides_[i];
     // Row by row: the columns that it crosses there.
@@ -72,7 +72,7 @@ void SnapIndex::finish() {
       }
       if (from > to) std::swap(from, to);
       for (std::int32_t column = columnOf(from); column <= columnOf(to); ++column)
-        places_[cellOf(column, row)].push_back(i);
+        by_cell_[cellOf(column, row)].push_back(i);
     }
   }
 }
@@ -89,8 +89,8 @@ void SnapIndex::around(const Vector2d& at, double reach_m, Visit visit) const {
   }
   for (std::int32_t row = low; row <= high; ++row) {
     for (std::int32_t column = left; column <= right; ++column) {
-      const auto found = places_.find(cellOf(column, row));
-      if (found == places_.end()) continue;
+      const auto found = by_cell_.find(cellOf(column, row));
+      if (found == by_cell_.end()) continue;
       for (const std::uint32_t i : found->second) visit(sides_[i]);
     }
   }

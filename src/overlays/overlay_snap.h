@@ -58,8 +58,8 @@ class SnapIndex {
   void around(const Eigen::Vector2d& at_m, double reach_m, Visit visit) const;
 
   double cell_m_ = 1;
-  std::vector<Side> sides_;                                      // a point is one without length
-  std::unordered_map<Cell, std::vector<std::uint32_t>> places_;  // sides by the cells that they cross
+  std::vector<Side> sides_;                                       // a point is one without length
+  std::unordered_map<Cell, std::vector<std::uint32_t>> by_cell_;  // sides by the cells that they cross
 };
 
 struct SnapScene {

@@ -12,7 +12,7 @@
 namespace mapwright::recorder {
 namespace {
 
-constexpr std::string_view kSubmaps = "submaps/", kMaps = "maps/", kPlaces = "waypoints/",
+constexpr std::string_view kSubmaps = "submaps/", kMaps = "maps/", kWaypoints = "waypoints/",
                            kPictures = "pictures/", kFacts = ".json";
 
 using words::text;
@@ -40,7 +40,7 @@ std::string_view wordOf(map::MapKind kind) {
   return "stored";
 }
 
-std::string place(std::string_view folder, const map::MapKey& key, std::string_view suffix) {
+std::string attachmentName(std::string_view folder, const map::MapKey& key, std::string_view suffix) {
   return std::string(folder) + std::string(wordOf(key.kind)) + '/' + encoded(key.id) + std::string(suffix);
 }
 
@@ -140,9 +140,9 @@ std::optional<map::SubmapKey> submapFrom(std::string_view name) {
   return key;
 }
 
-std::string mapName(const map::MapKey& key) { return place(kMaps, key, {}); }
-std::string mapFactsName(const map::MapKey& key) { return place(kMaps, key, kFacts); }
-std::string waypointsName(const map::MapKey& key) { return place(kPlaces, key, kFacts); }
+std::string mapName(const map::MapKey& key) { return attachmentName(kMaps, key, {}); }
+std::string mapFactsName(const map::MapKey& key) { return attachmentName(kMaps, key, kFacts); }
+std::string waypointsName(const map::MapKey& key) { return attachmentName(kWaypoints, key, kFacts); }
 
 std::optional<map::MapKey> mapFrom(std::string_view name) {
   if (!name.starts_with(kMaps) || name.ends_with(kFacts)) return std::nullopt;

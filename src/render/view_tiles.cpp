@@ -50,9 +50,9 @@ void ViewTiles::setView(const geometry::ViewTransform& view) {
 
 void ViewTiles::listVisible() {
   ++views_;
-  const auto placeOf = [](double pixel) { return std::int64_t(std::floor(pixel / kTileEdge)); };
-  const std::int64_t x0 = placeOf(-offset_x_), x1 = placeOf(view_.width_px - 1 - offset_x_);
-  const std::int64_t y0 = placeOf(-offset_y_), y1 = placeOf(view_.height_px - 1 - offset_y_);
+  const auto tileOf = [](double pixel) { return std::int64_t(std::floor(pixel / kTileEdge)); };
+  const std::int64_t x0 = tileOf(-offset_x_), x1 = tileOf(view_.width_px - 1 - offset_x_);
+  const std::int64_t y0 = tileOf(-offset_y_), y1 = tileOf(view_.height_px - 1 - offset_y_);
   for (std::int64_t y = y0; y <= y1; ++y) {
     for (std::int64_t x = x0; x <= x1; ++x) {
       visible_.push_back({x, y});
@@ -129,11 +129,11 @@ ViewTiles::KeyRange ViewTiles::keysUnder(const geometry::WorldRect& rect) const 
     return {-kFarthestTile, -kFarthestTile, kFarthestTile, kFarthestTile};
   }
   // A pixel more for the rounding of the corners.
-  const auto placeOf = [](double pixel) {
+  const auto tileOf = [](double pixel) {
     return std::clamp(std::floor(pixel / kTileEdge), -kFarthestTile, kFarthestTile);
   };
-  return {placeOf(pixels.min_x - 1), placeOf(pixels.min_y - 1), placeOf(pixels.max_x + 1),
-          placeOf(pixels.max_y + 1)};
+  return {tileOf(pixels.min_x - 1), tileOf(pixels.min_y - 1), tileOf(pixels.max_x + 1),
+          tileOf(pixels.max_y + 1)};
 }
 
 void ViewTiles::setPicture(ViewTile& tile, std::shared_ptr<const Composition> pixels, QImage image,

@@ -38,7 +38,7 @@ int countIn(const Fault& fault) {
   return is_number ? formOf(count) : kMany;
 }
 
-QString placeAfter(const std::vector<FaultArgument>& arguments) {
+QString placeholderAfter(const std::vector<FaultArgument>& arguments) {
   return QLatin1Char('%') + QString::number(arguments.size() + 1);
 }
 
@@ -47,13 +47,13 @@ QString filled(const QString& text, const std::vector<FaultArgument>& arguments)
   QString full;
   full.reserve(text.size());
   for (qsizetype i = 0; i < text.size(); ++i) {
-    const int place = text[i] == QLatin1Char('%') && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
-    if (place < 1) {
+    const int number = text[i] == QLatin1Char('%') && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
+    if (number < 1) {
       full += text[i];
       continue;
     }
     ++i;
-    if (std::size_t(place) <= arguments.size()) full += textOf(arguments[std::size_t(place) - 1]);
+    if (std::size_t(number) <= arguments.size()) full += textOf(arguments[std::size_t(number) - 1]);
   }
   return full;
 }
@@ -132,7 +132,7 @@ QString consequenceOf(Consequence consequence) {
 QString wordsOf(const Fault& fault) {
   if (fault.code == robot::fault::CapabilityLacking) return ended(fault, withCauses(fault, lackWords(fault)));
   const QString text = QCoreApplication::translate(fault.code.room, fault.code.text, nullptr, countIn(fault));
-  if (fault.because.empty() || !text.contains(placeAfter(fault.arguments)))
+  if (fault.because.empty() || !text.contains(placeholderAfter(fault.arguments)))
     return ended(fault, withCauses(fault, filled(text, fault.arguments)));
   std::vector<FaultArgument> arguments = fault.arguments;
   arguments.emplace_back(words::withoutStop(causesOf(fault)));

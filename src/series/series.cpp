@@ -49,7 +49,7 @@ void addThinned(std::vector<Sample>& kept, std::span<const Sample> run) {
   for (const Sample* each : {least, greatest, broken}) {
     if (each && std::find(chosen.begin(), chosen.end(), each) == chosen.end()) chosen.push_back(each);
   }
-  std::sort(chosen.begin(), chosen.end());  // by their place in the run
+  std::sort(chosen.begin(), chosen.end());  // by their index in the run
   for (const Sample* each : chosen) kept.push_back(*each);
 }
 

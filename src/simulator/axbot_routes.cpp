@@ -269,7 +269,7 @@ unsigned AxbotRoutes::kindsOf(const HttpQuestion& question) const {
   unsigned kinds = reads ? kReads : kWrites;
   if (isSubmapPath(path)) kinds |= kSubmaps;
   if (std::any_of(std::begin(kOfMaps), std::end(kOfMaps),
-                  [&](auto place) { return path.starts_with(place); }))
+                  [&](auto prefix) { return path.starts_with(prefix); }))
     kinds |= kMaps;
   if (reads && (path == "/maps/" || path == "/maps")) kinds |= kMapList;
   if (path.ends_with(".pbstream")) kinds |= kDownloads;

@@ -339,12 +339,12 @@ HttpAnswer noSuchFile() { return errorAnswer(404, "There is no such file."); }
 
 Value fileValue(BagFolder folder, const Bag& bag) {
   const std::size_t bytes = bagBytes(bag).size();
-  const char* const place = folder == BagFolder::Bags ? "/bags/" : "/recording/";
+  const char* const folder_path = folder == BagFolder::Bags ? "/bags/" : "/recording/";
   return Value::Object{{"filename", bag.name},
                        {"size", listedSize(bytes)},
                        {"size_bytes", bytes},
                        {"end", listedTime(bag.span.until_s)},
-                       {"download_url", ownUrl(place + percentEncoded(bag.name) + "/download")}};
+                       {"download_url", ownUrl(folder_path + percentEncoded(bag.name) + "/download")}};
 }
 
 /// "90s", "2m".

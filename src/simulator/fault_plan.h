@@ -80,9 +80,10 @@ class FaultPlan {
  private:
   static constexpr std::size_t kMostKeys = 500'000;
 
-  static bool isBelow(std::string_view path, std::string_view place) {
-    if (!path.starts_with(place)) return false;
-    return place.empty() || place.ends_with('/') || path.size() == place.size() || path[place.size()] == '/';
+  static bool isBelow(std::string_view path, std::string_view prefix) {
+    if (!path.starts_with(prefix)) return false;
+    return prefix.empty() || prefix.ends_with('/') || path.size() == prefix.size() ||
+           path[prefix.size()] == '/';
   }
 
   std::uint64_t next(std::string_view method, std::string_view target) {

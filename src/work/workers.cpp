@@ -168,12 +168,12 @@ void Tasks::startLong(Job job) {
     ended.swap(impl.ended);
     Workers::Impl::Waiting mine{mine_, std::move(job)};
     impl.begin(mine);
-    const auto place = impl.long_ones.emplace(impl.long_ones.end());
-    *place = std::thread([&impl, place, mine = std::move(mine)]() mutable {
+    const auto entry = impl.long_ones.emplace(impl.long_ones.end());
+    *entry = std::thread([&impl, entry, mine = std::move(mine)]() mutable {
       standBack();
       std::unique_lock inner(impl.mutex);
       impl.run(inner, std::move(mine));
-      impl.ended.splice(impl.ended.end(), impl.long_ones, place);
+      impl.ended.splice(impl.ended.end(), impl.long_ones, entry);
     });
   }
   for (std::thread& thread : ended) thread.join();
