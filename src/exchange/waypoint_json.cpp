@@ -119,10 +119,10 @@ class GeoJsonReading {
                .contains(member))
         reading_.leaveOut(member.toStdString());
     }
-    const QJsonArray place = geometry.value(QLatin1String("coordinates")).toArray();
-    const auto at_m = placeOf(place.at(0), place.at(1));
+    const QJsonArray coordinates = geometry.value(QLatin1String("coordinates")).toArray();
+    const auto at_m = placeOf(coordinates.at(0), coordinates.at(1));
     if (!at_m) return wrong(WaypointJsonText::tr("the coordinates are not two numbers."));
-    if (place.size() > 3) reading_.leaveOut("coordinates[3]");
+    if (coordinates.size() > 3) reading_.leaveOut("coordinates[3]");
     const FileValue properties = fromJson(given);
     FileValue entry{FileValue::Kind::Map};
     bool other_place = false, has_id = false, framed = false;
@@ -135,7 +135,7 @@ class GeoJsonReading {
         // The coordinates count.
         const double here = meaning == FieldMeaning::X ? at_m->x() : at_m->y();
         other_place = other_place || !number || std::abs(*number - here) > 1e-6;
-      } else if (meaning != FieldMeaning::Z || place.size() < 3) {
+      } else if (meaning != FieldMeaning::Z || coordinates.size() < 3) {
         entry.members.push_back(member);
       }
     }
@@ -143,7 +143,7 @@ class GeoJsonReading {
       entry.members.emplace_back("id", fromJson(id));
     entry.members.emplace_back("x", FileValue::ofNumber(at_m->x()));
     entry.members.emplace_back("y", FileValue::ofNumber(at_m->y()));
-    if (place.size() > 2) entry.members.emplace_back("z", fromJson(place.at(2)));
+    if (coordinates.size() > 2) entry.members.emplace_back("z", fromJson(coordinates.at(2)));
     std::string node;
     if (is_graph_) {
       // Ids of a graph are its own: a waypoint of the map that has the same one is another.

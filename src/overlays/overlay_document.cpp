@@ -18,7 +18,7 @@ std::string textOf(const std::optional<JsonValue>& value) {
 }
 
 /// `held` with `object` in the place of its value: what stands around that stays.
-std::string inItsPlace(const std::string& held, const std::string& object) {
+std::string withObject(const std::string& held, const std::string& object) {
   const auto json = JsonText::read(held);
   if (!json) return held + object;  // there are only blanks
   return held.substr(0, json->root().begin()) + object + held.substr(json->root().end());
@@ -142,7 +142,7 @@ void OverlayDocument::add(Feature feature) {
     // No list of features so far.
     const auto json = collection();
     const std::string object = json ? withMember(json->root(), kFeatures, "[]") : std::string(kNoFeatures);
-    *this = *read(inItsPlace(head_, object));
+    *this = *read(withObject(head_, object));
   }
   // The style of the features before it.
   before_.push_back(before_.empty()      ? std::string()
@@ -165,7 +165,7 @@ void OverlayDocument::setMember(std::string_view name, const std::optional<std::
   const auto json = collection();
   const JsonText from = json ? *json : *JsonText::read(std::string(kNoFeatures));
   const std::string object = value ? withMember(from.root(), name, *value) : withoutMember(from.root(), name);
-  OverlayDocument changed = *read(inItsPlace(head_ + tail_, object));
+  OverlayDocument changed = *read(withObject(head_ + tail_, object));
   changed.before_ = std::move(before_);
   changed.features_ = std::move(features_);
   *this = std::move(changed);

@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 constexpr int kMostDecimals = 4;
 constexpr int kDeepestGeometry = 8;
 
-/// One place in a text and what is to stand there.
+/// A part of a text and what is to stand there.
 struct Replacement {
   std::size_t begin, end;
   std::string text;

@@ -58,11 +58,11 @@ class TestColoredGrid : public QObject {
     for (const Samples& samples : {Samples{0, 1, 2}, Samples{1, 2, 0}, Samples{2, 0, 1}}) {
       const auto grid = decodeColors(test::shared(test::png(recipe, samples)), 3);
       QVERIFY(grid);
-      std::array<int, 3> place{};
+      std::array<int, 3> rank{};
       for (int x = 0; x < 3; ++x) {
-        place[samples[std::size_t(x)]] = grid->indices->order()[grid->indices->at(x, 0)];
+        rank[samples[std::size_t(x)]] = grid->indices->order()[grid->indices->at(x, 0)];
       }
-      QVERIFY(place[1] > place[0] && place[0] > place[2]);
+      QVERIFY(rank[1] > rank[0] && rank[0] > rank[2]);
     }
   }
 

@@ -286,8 +286,8 @@ class TestGridDamage : public QObject {
         for (std::uint32_t flip = 0; flip <= round % 4; ++flip) {
           const std::uint32_t at = test::noise(round * 4 + flip);
           // The size stays: other tests lie about it.
-          const std::size_t place = 24 + at % (bytes.size() - 24);
-          bytes[place] = char(bytes[place] ^ 1 << (at >> 28) % 8);
+          const std::size_t offset = 24 + at % (bytes.size() - 24);
+          bytes[offset] = char(bytes[offset] ^ 1 << (at >> 28) % 8);
         }
         readAll(bytes);
       }

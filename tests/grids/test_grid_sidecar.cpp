@@ -105,11 +105,11 @@ class TestGridSidecar : public QObject {
     open(options());
     const QString path = files().first();
     const QByteArray whole = contentOf(path);
-    for (const int place : {0, 8, 12, 16, 20, 24, 28, 32, 40, 48, 56, 60}) {  // every field of the header
+    for (const int offset : {0, 8, 12, 16, 20, 24, 28, 32, 40, 48, 56, 60}) {  // every field of the header
       QByteArray bytes = whole;
-      bytes[place] = char(bytes[place] ^ 1);
+      bytes[offset] = char(bytes[offset] ^ 1);
       write(path, bytes);
-      QVERIFY2(!openOnly(options()), qPrintable(QString::number(place)));
+      QVERIFY2(!openOnly(options()), qPrintable(QString::number(offset)));
       QVERIFY(!QFile::exists(path));
     }
     for (qsizetype back = 1; back < 200; back += 13) {  // key and index
@@ -128,9 +128,9 @@ class TestGridSidecar : public QObject {
     const QString path = files().first();
     const QByteArray whole = contentOf(path);
     const qsizetype data = 4096, step = (whole.size() - data) / 60;
-    for (qsizetype place = data; place < whole.size(); place += step) {
+    for (qsizetype offset = data; offset < whole.size(); offset += step) {
       QByteArray bytes = whole;
-      bytes[place] = char(bytes[place] ^ 1 << place % 8);
+      bytes[offset] = char(bytes[offset] ^ 1 << offset % 8);
       write(path, bytes);
       told_.clear();
       const Opened second = open(options());

@@ -80,8 +80,8 @@ Film read(const QString& path) {
     row.sequence = message->sequence;
     film.rows.push_back(std::move(row));
   }
-  for (const auto& place : (*source)->attachments()) {
-    if (auto file = (*source)->attachment(place)) film.files[place.name] = std::move(*file);
+  for (const auto& location : (*source)->attachments()) {
+    if (auto file = (*source)->attachment(location)) film.files[location.name] = std::move(*file);
   }
   for (const auto& metadata : (*source)->metadata()) film.metadata[metadata.name] = metadata.values;
   return film;

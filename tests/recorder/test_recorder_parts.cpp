@@ -28,20 +28,20 @@ constexpr std::int64_t kSecond = 1'000'000'000;
 /// A disk in memory that may be full.
 class Disk final : public recording::AppendTarget {
  public:
-  struct Place {
+  struct Storage {
     std::string bytes;
     std::size_t room = std::size_t(1) << 40;
   };
-  explicit Disk(std::shared_ptr<Place> place) : place_(std::move(place)) {}
+  explicit Disk(std::shared_ptr<Storage> storage) : storage_(std::move(storage)) {}
   std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
-    if (place_->bytes.size() + bytes.size() > place_->room) return disk::systemError("disk", ENOSPC);
-    place_->bytes.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (storage_->bytes.size() + bytes.size() > storage_->room) return disk::systemError("disk", ENOSPC);
+    storage_->bytes.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return std::nullopt;
   }
   std::optional<disk::FileError> settle() override { return std::nullopt; }
 
  private:
-  std::shared_ptr<Place> place_;
+  std::shared_ptr<Storage> storage_;
 };
 
 Entry message(const std::string& topic, std::int64_t log_ns, const std::string& bytes = "{}") {
@@ -88,12 +88,12 @@ using Outcome = map::SubmapAnswer::Outcome;
 
 class RecorderPartsTest : public QObject {
   Q_OBJECT
-  std::shared_ptr<Disk::Place> place_;
+  std::shared_ptr<Disk::Storage> storage_;
   std::unique_ptr<Tape> tape_;
 
   std::unique_ptr<recording::Source> read() const {
     auto opened =
-        recording::openRecording(recording::heldBytes(std::make_shared<const std::string>(place_->bytes)));
+        recording::openRecording(recording::heldBytes(std::make_shared<const std::string>(storage_->bytes)));
     return opened ? std::move(*opened) : nullptr;
   }
   static std::vector<recording::Message> all(recording::Source& source) {
@@ -105,10 +105,10 @@ class RecorderPartsTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    place_ = std::make_shared<Disk::Place>();
+    storage_ = std::make_shared<Disk::Storage>();
     recording::WriterOptions options;
     options.chunk_bytes = 10'000;
-    auto writer = recording::McapWriter::create(std::make_unique<Disk>(place_), options);
+    auto writer = recording::McapWriter::create(std::make_unique<Disk>(storage_), options);
     QVERIFY(writer);
     tape_ = std::make_unique<Tape>(std::move(*writer));
   }
@@ -231,7 +231,7 @@ class RecorderPartsTest : public QObject {
     say(20);
     QVERIFY(!tape_->written().fault);
     const std::uint64_t sound = tape_->written().messages;
-    place_->room = place_->bytes.size();
+    storage_->room = storage_->bytes.size();
     say(50);
     tape_->write(file("maps/stored/1", "waits"));
     const Written full = tape_->written();
@@ -239,7 +239,7 @@ class RecorderPartsTest : public QObject {
     QVERIFY(full.lost > 0);
     QVERIFY2(full.lost + full.messages == 70, "each message is in the file or counted as lost");
     QVERIFY(full.messages >= sound);
-    place_->room = std::size_t(1) << 40;
+    storage_->room = std::size_t(1) << 40;
     now += 2 * kSecond;
     say(20);
     QVERIFY(!tape_->written().fault);
@@ -257,7 +257,7 @@ class RecorderPartsTest : public QObject {
     for (int i = 0; i < 20; ++i, now += kSecond)
       tape_->write(message("/a", now, noise(4'000, std::uint32_t(i))));
     tape_->tick(now);
-    place_->room = place_->bytes.size();
+    storage_->room = storage_->bytes.size();
     tape_->write(message("/a", now, noise(4'000, 77)));
     QVERIFY(tape_->finish(now + kSecond, {}));
     QCOMPARE(tape_->written().messages, std::uint64_t(20));

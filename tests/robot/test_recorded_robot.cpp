@@ -1418,8 +1418,8 @@ class RecordedRobotTest : public QObject {
       reading.lookAgain();
       QVERIFY(waitFor([&] { return reading.chunks().end_s() >= last_s; }));
       QVERIFY(waitFor([&] { return worldAt(reading, last_s).live == foldedUntil(said, last_s).live; }));
-      for (const std::size_t place : {std::size_t(20), until / 2, until - 1})
-        QVERIFY(worldAt(reading, said[place].at_s).live == foldedUntil(said, said[place].at_s).live);
+      for (const std::size_t i : {std::size_t(20), until / 2, until - 1})
+        QVERIFY(worldAt(reading, said[i].at_s).live == foldedUntil(said, said[i].at_s).live);
     }
     QVERIFY(replaced > 0);
     QVERIFY(reading.chunks().end_s() > end_s);

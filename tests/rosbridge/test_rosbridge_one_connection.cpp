@@ -26,7 +26,7 @@ class Doorman {
     door_.listen(QHostAddress::LocalHost);
     QObject::connect(&door_, &QTcpServer::newConnection, &door_, [this, to] {
       while (QTcpSocket* guest = door_.nextPendingConnection()) {
-        if (inside_ >= places) {
+        if (inside_ >= seats) {
           ++refused;
           guest->write("HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n");
           guest->disconnectFromHost();
@@ -47,7 +47,7 @@ class Doorman {
     });
   }
   QUrl url() const { return QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(door_.serverPort())); }
-  int places = 1, refused = 0;
+  int seats = 1, refused = 0;
 
  private:
   QTcpServer door_;
@@ -137,7 +137,7 @@ class RosbridgeOneConnectionTest : public QObject {
     Doorman doorman(server.port());
     Guest guest(doorman.url());
     QTRY_COMPARE(guest.sharing.size(), 1);
-    doorman.places = 5;
+    doorman.seats = 5;
     server.dropAll();
     QTRY_COMPARE(guest.client.largeLink().state(), State::Open);
     QTRY_VERIFY(server.seen.last()["topic"] == QLatin1String("/map") && server.seen.last().peer > 1);

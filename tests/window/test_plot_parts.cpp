@@ -177,7 +177,7 @@ void TestPlotParts::aNumberIsDraggedOutOfAMessage() {
   view.show();
   QStringList carried;
   view.carry = [&](std::unique_ptr<QMimeData> mime) { carried << mime->text(); };
-  const auto placeOf = [&](const QString& word) {
+  const auto positionOf = [&](const QString& word) {
     QTextCursor cursor = view.document()->find(word);
     cursor.setPosition(cursor.selectionStart() + 1);
     return view.cursorRect(cursor).center();
@@ -189,12 +189,12 @@ void TestPlotParts::aNumberIsDraggedOutOfAMessage() {
     QApplication::sendEvent(view.viewport(), &move);
     QTest::mouseRelease(view.viewport(), Qt::LeftButton, {}, from + QPoint(60, 0));
   };
-  drag(placeOf(QStringLiteral("2.5")));
+  drag(positionOf(QStringLiteral("2.5")));
   QVERIFY(carried.isEmpty());  // nobody has said of which topic it is
   view.setTopic(QStringLiteral("/t"));
-  drag(placeOf(QStringLiteral("2.5")));
+  drag(positionOf(QStringLiteral("2.5")));
   QCOMPARE(carried, QStringList{QStringLiteral("/t.pos[1]")});
-  drag(placeOf(QStringLiteral("hello")));
+  drag(positionOf(QStringLiteral("hello")));
   QCOMPARE(carried.size(), 1);
   QVERIFY(view.textCursor().hasSelection());  // text is chosen as ever
 }

@@ -35,7 +35,7 @@ using test::kAddress;
 
 namespace {
 
-std::ptrdiff_t placeOf(const scene::MapScene& scene, Layer layer) {
+std::ptrdiff_t layerIndexOf(const scene::MapScene& scene, Layer layer) {
   const std::vector<Layer>& order = scene.layerOrder();
   return std::find(order.begin(), order.end(), layer) - order.begin();
 }
@@ -107,9 +107,9 @@ class TestWindowLayers : public QObject {
     dock.setGrouped(false);
     LayerRow* grid = dock.row(Layer::Grid);
     LayerRow* submaps = dock.row(Layer::Submaps);
-    QVERIFY(placeOf(*window.mapScene(), Layer::Grid) > placeOf(*window.mapScene(), Layer::Submaps));
+    QVERIFY(layerIndexOf(*window.mapScene(), Layer::Grid) > layerIndexOf(*window.mapScene(), Layer::Submaps));
     dragTo(dock, grid, submaps);
-    QVERIFY(placeOf(*window.mapScene(), Layer::Grid) < placeOf(*window.mapScene(), Layer::Submaps));
+    QVERIFY(layerIndexOf(*window.mapScene(), Layer::Grid) < layerIndexOf(*window.mapScene(), Layer::Submaps));
     QTRY_VERIFY(grid->y() > submaps->y());
   }
 
@@ -396,7 +396,7 @@ class TestWindowLayers : public QObject {
     LayerRow* grid = part<LayersDock>(window)->row(Layer::Grid);
     grid->setFocus();
     QTest::keyClick(grid, Qt::Key_Up, Qt::ControlModifier);
-    QCOMPARE(placeOf(*window.mapScene(), Layer::Grid),
+    QCOMPARE(layerIndexOf(*window.mapScene(), Layer::Grid),
              std::find(before.begin(), before.end(), Layer::Grid) - before.begin() + 1);
     QVERIFY(grid->hasFocus());
     QTest::keyClick(grid, Qt::Key_Down, Qt::ControlModifier);

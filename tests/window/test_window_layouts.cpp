@@ -463,19 +463,19 @@ class TestWindowLayouts : public QObject {
              qPrintable(QString::number(window.minimumSizeHint().width())));
     QCOMPARE(window.size(), QSize(800, 570));
     // Nothing in the bar lies over anything else; bars and what is under the cursor give way to the rest.
-    std::map<int, QRect> places;
+    std::map<int, QRect> boxes;
     QStringList said;
     for (QWidget* part : window.statusBar()->findChildren<QWidget*>()) {
       if (!part->isVisible() || part->layout() || part->width() == 0) continue;
-      places[part->x()] = part->geometry();
+      boxes[part->x()] = part->geometry();
       said << QStringLiteral("%1 at %2").arg(part->width()).arg(part->x());
     }
     int right = 0;
-    for (const auto& [left, place] : places) {
-      QVERIFY2(left >= right && place.width() >= 20, qPrintable(said.join(QLatin1String(", "))));
-      right = place.right() + 1;
+    for (const auto& [left, box] : boxes) {
+      QVERIFY2(left >= right && box.width() >= 20, qPrintable(said.join(QLatin1String(", "))));
+      right = box.right() + 1;
     }
-    QVERIFY2(places.size() >= 8 && right <= 800, qPrintable(said.join(QLatin1String(", "))));
+    QVERIFY2(boxes.size() >= 8 && right <= 800, qPrintable(said.join(QLatin1String(", "))));
   }
 
   void messagesFitTheMapOfASmallScreen() {
@@ -497,21 +497,21 @@ class TestWindowLayouts : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     showAnew(bench, "layoutOperate");
-    const auto places = [&] {
+    const auto boxes = [&] {
       QList<QRect> all;
       for (QAction* action : barOf(window)->actions())
         all << barOf(window)->widgetForAction(action)->geometry();
       return all;
     };
-    const QList<QRect> before = places();
+    const QList<QRect> before = boxes();
     auto* const chip = part<ConnectionChip>(window);
     chip->setSafety({Mark::Bad, false, QStringLiteral("Emergency stop +12"), {}, QStringLiteral("x")});
     QCoreApplication::processEvents();
-    QCOMPARE(places(), before);
+    QCOMPARE(boxes(), before);
     chip->setRobot(QStringLiteral("A robot whose name is longer than any other"), Mark::Busy,
                    QStringLiteral("reconnecting"), {});
     QCoreApplication::processEvents();
-    QCOMPARE(places(), before);
+    QCOMPARE(boxes(), before);
   }
 
   void toolsHaveTextWhereThereIsRoom() {

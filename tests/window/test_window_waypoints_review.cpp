@@ -376,14 +376,14 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.review().activateWindow();
     QTRY_VERIFY(desk.review().isActiveWindow());
-    const std::map<QString, QWidget*> places{
+    const std::map<QString, QWidget*> widgets{
         {QStringLiteral("send"), desk.review().sendButton()},
         {QStringLiteral("close"), desk.review().closeButton()},
         {QStringLiteral("go on"), desk.review().goOnBox()},
         {QStringLiteral("table"), desk.review().findChild<QTableView*>()}};
-    QWidget* const place = places.at(focus);
-    place->setFocus();
-    QTest::keyClick(place, Qt::Key_Return);
+    QWidget* const widget = widgets.at(focus);
+    widget->setFocus();
+    QTest::keyClick(widget, Qt::Key_Return);
     QTRY_COMPARE(desk.store.asked.size(), std::size_t(1));
     QVERIFY(desk.review().isVisible());
     // Once more, and Space: what is in progress is not cancelled by a button that the focus has hopped to.

@@ -149,11 +149,11 @@ void MapsModel::sync() {
   });
   std::vector<Row> fresh = build();
   if (fresh == rows_) return;
-  const bool same_places =
+  const bool same_rows =
       fresh.size() == rows_.size() &&
       std::equal(fresh.begin(), fresh.end(), rows_.begin(),
                  [](const Row& a, const Row& b) { return a.kind == b.kind && a.key == b.key; });
-  if (same_places) {
+  if (same_rows) {
     rows_ = std::move(fresh);
     Q_EMIT dataChanged(index(0), index(int(rows_.size()) - 1));
     return;

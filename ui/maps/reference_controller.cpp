@@ -30,9 +30,9 @@ namespace {
 
 constexpr std::size_t kMostPairs = 200;
 
-QString keyOf(const QString& place) {
+QString keyOf(const QString& current_map) {
   const QByteArray digest =
-      QCryptographicHash::hash(place.toUtf8(), QCryptographicHash::Sha256).toHex().left(32);
+      QCryptographicHash::hash(current_map.toUtf8(), QCryptographicHash::Sha256).toHex().left(32);
   return QStringLiteral("reference/") + QString::fromLatin1(digest);
 }
 
@@ -148,16 +148,16 @@ ReferenceController::~ReferenceController() { slot_.disconnect(this); }
 
 void ReferenceController::setSession(session::Session* session) {
   load({});
-  place_.clear();
+  current_map_.clear();
   if (!session) return;
   connect(session, &session::Session::liveChanged, this, [this](int what) {
-    if (what == map::topicIndex<map::MapInfo>()) placeChanged();
+    if (what == map::topicIndex<map::MapInfo>()) onCurrentMapChanged();
   });
-  connect(&session->wholeMap(), &session::MapSlot::changed, this, &ReferenceController::placeChanged);
-  placeChanged();
+  connect(&session->wholeMap(), &session::MapSlot::changed, this, &ReferenceController::onCurrentMapChanged);
+  onCurrentMapChanged();
 }
 
-QString ReferenceController::place() const {
+QString ReferenceController::currentMap() const {
   const session::Session* const session = context_.current.session();
   if (!session) return {};
   QString map;
@@ -169,10 +169,10 @@ QString ReferenceController::place() const {
   return QStringLiteral("%1\n%2").arg(session->robot().address(), map);
 }
 
-void ReferenceController::placeChanged() {
-  const QString now = place();
-  if (now == place_) return;
-  place_ = now;
+void ReferenceController::onCurrentMapChanged() {
+  const QString now = currentMap();
+  if (now == current_map_) return;
+  current_map_ = now;
   const QString address = kept().value(QLatin1String("map")).toString();
   // What was laid before it was known where the robot is stays, unless something is remembered for here.
   if (address.isEmpty() && !address_.isEmpty()) return remember();
@@ -181,7 +181,7 @@ void ReferenceController::placeChanged() {
 }
 
 void ReferenceController::remember() {
-  if (place_.isEmpty()) return;
+  if (current_map_.isEmpty()) return;
   QJsonObject all = kept();
   // How each map lay, so that it lies there again when it is chosen again.
   QJsonObject laid = all.value(QLatin1String("laid")).toObject();
@@ -195,7 +195,7 @@ void ReferenceController::remember() {
   }
   all[QStringLiteral("map")] = address_;
   all[QStringLiteral("laid")] = laid;
-  context_.settings.setValue(keyOf(place_),
+  context_.settings.setValue(keyOf(current_map_),
                              QString::fromUtf8(QJsonDocument(all).toJson(QJsonDocument::Compact)));
 }
 
@@ -238,7 +238,7 @@ void ReferenceController::showFailure(const map::Failure& failure) {
 }
 
 QJsonObject ReferenceController::kept() const {
-  return QJsonDocument::fromJson(context_.settings.value(keyOf(place_)).toString().toUtf8()).object();
+  return QJsonDocument::fromJson(context_.settings.value(keyOf(current_map_)).toString().toUtf8()).object();
 }
 
 void ReferenceController::onLaid(const QJsonObject& laid) {

@@ -62,10 +62,10 @@ class ReferenceController : public Controller {
   void load(const QString& address);
   void show();
   /// The robot and the map that it is on; empty = not known.
-  QString place() const;
-  void placeChanged();
+  QString currentMap() const;
+  void onCurrentMapChanged();
   void remember();
-  QJsonObject kept() const;  // what is remembered for this place
+  QJsonObject kept() const;  // what is remembered for this map
   void onLaid(const QJsonObject& laid);
   void showFailure(const map::Failure& failure);
 
@@ -77,8 +77,8 @@ class ReferenceController : public Controller {
   QAction* tool_action_;
   std::unique_ptr<robot::Robot> reader_, coming_;
   session::MapSlot slot_;
-  QString address_;  // of the reference map; empty = none
-  QString place_;    // where it is remembered
+  QString address_;      // of the reference map; empty = none
+  QString current_map_;  // for which it is remembered
   Laid laid_;
   QUndoStack steps_;
   QPointer<QUndoStack> other_steps_;  // what Ctrl+Z was about before

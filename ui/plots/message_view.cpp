@@ -64,7 +64,7 @@ series::FieldPath pathOf(const std::vector<Level>& levels, const QString& topic)
 
 }  // namespace
 
-std::optional<FieldAt> fieldAt(const QString& text, qsizetype place, const QString& topic) {
+std::optional<FieldAt> fieldAt(const QString& text, qsizetype offset, const QString& topic) {
   std::vector<Level> levels;
   for (qsizetype i = 0; i < text.size();) {
     const QChar c = text[i];
@@ -96,9 +96,9 @@ std::optional<FieldAt> fieldAt(const QString& text, qsizetype place, const QStri
       // A value; a truncated string is followed by a note.
       qsizetype end = c == QLatin1Char('"') ? endOfString(text, i) : i;
       while (end < text.size() && !QStringView(u",]}\n").contains(text[end])) ++end;
-      const bool here = place >= i && place < end;
-      const bool on_key = !levels.empty() && !levels.back().array && place >= levels.back().key_from &&
-                          place < levels.back().key_until;
+      const bool here = offset >= i && offset < end;
+      const bool on_key = !levels.empty() && !levels.back().array && offset >= levels.back().key_from &&
+                          offset < levels.back().key_until;
       if (here || on_key) {
         QString value = text.mid(i, end - i).trimmed();
         if (value.startsWith(QLatin1Char('"')) && value.endsWith(QLatin1Char('"')) && value.size() > 2)
@@ -108,7 +108,7 @@ std::optional<FieldAt> fieldAt(const QString& text, qsizetype place, const QStri
       }
       i = std::max(end, i + 1);
     }
-    if (i > place + 100'000) break;
+    if (i > offset + 100'000) break;
   }
   return std::nullopt;
 }
@@ -118,10 +118,10 @@ MessageView::MessageView(QWidget* parent) : QPlainTextEdit(parent) { viewport()-
 std::optional<FieldAt> MessageView::fieldBelow(const QPoint& at) const {
   if (topic_.isEmpty()) return std::nullopt;
   const QTextCursor cursor = cursorForPosition(at);
-  // Beyond the end of a line, cursorForPosition() returns the nearest place.
-  const QRect place = cursorRect(cursor);
-  if (std::abs(place.center().x() - at.x()) > 2 * fontMetrics().maxWidth() || at.y() < place.top() ||
-      at.y() > place.bottom())
+  // Beyond the end of a line, cursorForPosition() returns the nearest position.
+  const QRect cursor_rect = cursorRect(cursor);
+  if (std::abs(cursor_rect.center().x() - at.x()) > 2 * fontMetrics().maxWidth() ||
+      at.y() < cursor_rect.top() || at.y() > cursor_rect.bottom())
     return std::nullopt;
   const QString text = toPlainText();
   if (auto field = fieldAt(text, cursor.position(), topic_)) return field;

@@ -123,11 +123,11 @@ void PlotWidget::paintAxes(QPainter& painter) const {
   painter.setPen(colors.secondary_text);
   int above = height();
   for (const PlotTick& tick : value_ticks) {
-    QRect place(0, int(yOf(tick.at)) - metrics.height() / 2, area.left() - 6, metrics.height());
-    place.moveTop(std::clamp(place.top(), 0, area.bottom() - metrics.height() + metrics.height() / 2));
-    if (place.bottom() > above) continue;  // they would overlap
-    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, tick.text);
-    above = place.top();
+    QRect box(0, int(yOf(tick.at)) - metrics.height() / 2, area.left() - 6, metrics.height());
+    box.moveTop(std::clamp(box.top(), 0, area.bottom() - metrics.height() + metrics.height() / 2));
+    if (box.bottom() > above) continue;  // they would overlap
+    painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, tick.text);
+    above = box.top();
   }
   // Other places use UTC: the time zone is shown next to the times.
   const QString zone = since_s_ ? tr("s") : zoneText(span_.first);

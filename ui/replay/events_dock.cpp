@@ -102,8 +102,8 @@ void EventsModel::setAt(std::optional<double> at_s) {
 void EventsModel::onPresent() {
   int now = -1;
   if (at_s_) {
-    const auto after = std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t place) {
-      return events_[place].at_s <= *at_s_ + kHairS;
+    const auto after = std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t index) {
+      return events_[index].at_s <= *at_s_ + kHairS;
     });
     now = int(after - rows_.begin()) - 1;
   }
@@ -176,12 +176,12 @@ QVariant EventsModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 QString EventsModel::copied(const QModelIndexList& rows) const {
-  std::vector<int> places;
-  for (const QModelIndex& index : rows) places.push_back(index.row());
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::vector<int> numbers;
+  for (const QModelIndex& index : rows) numbers.push_back(index.row());
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   QString lines;
-  for (const int row : places) {
+  for (const int row : numbers) {
     const Event* const event = this->event(row);
     if (!event) continue;
     lines += QStringLiteral("%1 %2").arg(dayText(event->at_s), text(*event, TimeColumn));
@@ -194,8 +194,8 @@ QString EventsModel::copied(const QModelIndexList& rows) const {
 
 std::string EventsModel::csv() const {
   std::string csv = "stamp_s,time_utc,since_start_s,kind,event\r\n";
-  for (const std::uint32_t place : rows_) {
-    const Event& event = events_[place];
+  for (const std::uint32_t index : rows_) {
+    const Event& event = events_[index];
     csv += QByteArray::number(event.at_s, 'f', 6).toStdString() + ',' + dayText(event.at_s).toStdString() +
            'T' + clockText(event.at_s).toStdString() + "Z," +
            QByteArray::number(event.at_s - start_s_, 'f', 3).toStdString() + ',' +

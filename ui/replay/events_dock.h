@@ -62,7 +62,7 @@ class EventsModel : public QAbstractTableModel {
   std::size_t at(int row) const { return rows_[std::size_t(row)]; }
 
   std::vector<replay::Event> events_;
-  std::vector<std::uint32_t> rows_;  // places in events_
+  std::vector<std::uint32_t> rows_;  // indexes in events_
   EventFilter filter_;
   std::optional<double> at_s_;
   double start_s_ = 0;

@@ -38,8 +38,8 @@ constexpr int kTickMs = 1000;
 
 /// Without submenus, which belong to the menu bar.
 void addGroup(QMenu& menu, const Actions& actions, MenuGroup group) {
-  for (const auto& [place, action] : actions.inMenus()) {
-    if (place.group == group && !action->menu()) menu.addAction(action);
+  for (const auto& [position, action] : actions.inMenus()) {
+    if (position.group == group && !action->menu()) menu.addAction(action);
   }
 }
 

@@ -23,12 +23,12 @@ QPainterPath outlines(const QList<QGlyphRun>& runs) {
     if (hasPictures(run)) continue;
     const QRawFont font = run.rawFont();
     const QList<quint32> glyphs = run.glyphIndexes();
-    const QList<QPointF> places = run.positions();
+    const QList<QPointF> positions = run.positions();
     for (qsizetype i = 0; i < glyphs.size(); ++i)
-      path.addPath(font.pathForGlyph(glyphs[i]).translated(places[i]));
+      path.addPath(font.pathForGlyph(glyphs[i]).translated(positions[i]));
     if (run.strikeOut()) {
       const QRectF box = run.boundingRect();
-      path.addRect(box.left(), places.value(0).y() - font.ascent() / 3, box.width(), font.lineThickness());
+      path.addRect(box.left(), positions.value(0).y() - font.ascent() / 3, box.width(), font.lineThickness());
     }
   }
   return path;

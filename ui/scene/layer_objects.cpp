@@ -104,8 +104,8 @@ std::optional<MapObject> findObject(const LayerContext& context, const ObjectId&
   };
   std::optional<Found> found;
   things->visit(context, of, [&](std::size_t number, ObjectForm form, ObjectParts parts) {
-    const bool same_place = number == id.number;
-    if ((found && !same_place) || (id.key.empty() && !same_place)) return;
+    const bool same_number = number == id.number;
+    if ((found && !same_number) || (id.key.empty() && !same_number)) return;
     if (things->key(context, of, number) != id.key) return;
     found = Found{number, form, copyOf(parts)};
   });

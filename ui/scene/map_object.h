@@ -23,7 +23,7 @@ struct ObjectId {
   Layer layer = Layer::Robot;
   FeaturesOf of = FeaturesOf::Robot;
   std::string key;         // its id or name; empty = it has none
-  std::size_t number = 0;  // its place among all of the layer when it was found; tells equal keys apart
+  std::size_t number = 0;  // its index among all of the layer when it was found; tells equal keys apart
 
   bool sameAs(const ObjectId& other) const {
     return layer == other.layer && of == other.of && key == other.key &&

@@ -31,7 +31,7 @@ struct WindowContext {
   QMainWindow& window;  // the parent of docks and dialogs
   MapView& view;
   scene::MapScene& scene;
-  Actions& actions;     // with their places in menus and tool bar
+  Actions& actions;     // with their positions in menus and tool bar
   Findings& findings;   // what the palette finds besides commands
   ToolChoice& tools;    // which one is in the hand
   MapOverlay& overlay;  // toasts, what is floating over the map, the hint

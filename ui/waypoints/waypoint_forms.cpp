@@ -135,11 +135,11 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   yaw_->setSpecialValueText(tr("none"));
   yaw_->setToolTip(tr("Counter-clockwise from the x axis of the map"));
   for (QDoubleSpinBox* box : {x_, y_, yaw_}) box->setKeyboardTracking(false);
-  QHBoxLayout* const place = rowOf({x_, y_}, 4);
-  for (const int i : {0, 1}) place->setStretch(i, 1);
+  QHBoxLayout* const row = rowOf({x_, y_}, 4);
+  for (const int i : {0, 1}) row->setStretch(i, 1);
   QFormLayout* const form = formOf(this);
   form->addRow(tr("Name"), name_);
-  form->addRow(tr("x, y"), place);
+  form->addRow(tr("x, y"), row);
   form->addRow(tr("Heading"), yaw_);
   form->addRow(tr("Tags"), tags_);
   form->addRow(doubtful_);

@@ -119,7 +119,7 @@ struct Download {
 };
 using DownloadPtr = std::shared_ptr<Download>;
 
-void placeDownload(Download& download) {
+void moveDownload(Download& download) {
   const qint64 bytes = download.part.pos();
   // If the answer has no length, a premature end looks like the end; and one that is whole by its length may
   // be something else, with which nothing goes on. A bag that is still recorded may have grown.
@@ -189,7 +189,7 @@ void sendDownload(const DownloadPtr& download) {
                  } else if (!download->begun && !download->begin({answer.status, 0, {}})) {
                    download->end(*download->trouble);
                  } else {
-                   placeDownload(*download);
+                   moveDownload(*download);
                  }
                } else if (answer.status == kRangeNotThere && download->order.request.from_byte > 0) {
                  // The part is as long as the whole, or longer: it may be of another file.

@@ -57,7 +57,7 @@ namespace {
 constexpr double kRoomM = 12.5, kWallM = 0.1, kDoorM = 1.2;  // walls: half of their thickness
 constexpr std::array<std::uint32_t, Building::kStoreys> kColors{0xd04040, 0xd0a030, 0x40b050, 0x3080d0,
                                                                 0x9050c0};
-constexpr std::string_view kPlace = "/map_dispatcher/";
+constexpr std::string_view kNamespace = "/map_dispatcher/";
 constexpr double kCellM = 0.05, kCoarseCellM = 0.1, kProjectedCellM = 0.1;
 constexpr double kMostCells = 40e6, kMostPoints = 4e6, kMostCandidates = 30e6;
 constexpr double kMostProjectedM = 200;
@@ -76,7 +76,7 @@ WallLine lineNear(double at_m) {
 }
 
 tl::unexpected<std::string> refused(std::string_view service, std::string_view why) {
-  return tl::make_unexpected("service [" + std::string(kPlace) + std::string(service) +
+  return tl::make_unexpected("service [" + std::string(kNamespace) + std::string(service) +
                              "] responded with an error: b'" + std::string(why) + "'");
 }
 
@@ -267,7 +267,7 @@ std::vector<Service> Dispatcher::services() {
     const auto kept = [answer](const Value& request, bool keep) {
       return keep ? answer(request) : Answer(Value::Object{});
     };
-    if (own.there && there) rows.push_back({std::string(kPlace) + verb, type, kept, changes});
+    if (own.there && there) rows.push_back({std::string(kNamespace) + verb, type, kept, changes});
   };
   const auto gridded = [this](bool whole) {
     return [this, whole](const Value& request) { return grid(request, whole); };
