@@ -59,7 +59,7 @@ TextureStore::BodyPtr TextureStore::bodyOf(const CellTexture& texture) {
   if (entry.is_lost) return nullptr;
   const Range range = entry.on_disk;
   lock.unlock();
-  // The texture exists, so its place is reserved.
+  // The texture exists, so its index is reserved.
   std::vector<std::uint8_t> packed(range.size);
   auto body = std::make_shared<Body>(texture.width(), texture.height(), texture.layout());
   const bool whole = file_->read(packed, range.at) && body->unpack(packed);

@@ -46,7 +46,7 @@ class Builder {
         axis = each;
       }
     }
-    if (longest <= 0) return;  // all in one place: no split is possible
+    if (longest <= 0) return;  // all at one point: no split is possible
     const std::uint32_t half = count / 2;
     const auto begin = points_.begin() + std::ptrdiff_t(first);
     std::nth_element(begin, begin + std::ptrdiff_t(half), begin + std::ptrdiff_t(count),

@@ -64,7 +64,7 @@ class CloudTree {
   Eigen::Vector3d world(std::size_t at) const { return origin_m_ + points_[at].cast<double>(); }
   Box bounds() const;
   Box boundsOf(const CloudNode& node) const;
-  /// Typical distance of points in the plane, metres; 0 = unknown (all in one place).
+  /// Typical distance of points in the plane, metres; 0 = unknown (all at one point).
   double spacing() const { return spacing_m_; }
   /// The smallest and largest intensity without the outermost hundredth on each side; {0, 1} if there are
   /// none.

@@ -17,7 +17,7 @@ namespace mapwright::disk {
 /// else (a pipe, a device, a folder) is refused at once with EISDIR or EINVAL.
 int openToRead(const std::string& path);
 
-/// Reads or writes all of `bytes` at a place in an open file; errno says why not (0: the file ends).
+/// Reads or writes all of `bytes` at an offset in an open file; errno says why not (0: the file ends).
 bool readAt(int fd, std::span<std::uint8_t> bytes, std::uint64_t at);
 bool writeAt(int fd, std::span<const std::uint8_t> bytes, std::uint64_t at);
 

@@ -1,5 +1,5 @@
 // What the fields of a waypoint are called in the files that people have, and what they mean: the same for
-// tables, GeoJSON and lists of poses. Whatever has no place in a waypoint is named. Pure functions.
+// tables, GeoJSON and lists of poses. Whatever a waypoint has no field for is named. Pure functions.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ class WaypointReading {
 
   /// `entry`: a map of fields (poses and parts of poses may be maps of their own), or a list: [x, y],
   /// [x, y, yaw], [x, y, z, roll, pitch, yaw], [x, y, z, qx, qy, qz, qw], [[x, y, z], [qx, qy, qz, qw]].
-  /// `called`: its name, unless it has one. The error is a sentence without the place in the file.
+  /// `called`: its name, unless it has one. The error is a sentence without the position in the file.
   tl::expected<void, QString> add(int row, const FileValue& entry, const std::string& called = {});
   /// What is left out: a field by its name; said once.
   void leaveOut(const std::string& field);

@@ -76,7 +76,7 @@ class JsonText {
   // What is known already is not read anew:
   /// The value as a text of its own.
   static JsonText of(const JsonValue& value);
-  /// The text of the values, which there must be, with the others in their places.
+  /// The text of the values, which there must be, with the others in their stead.
   static JsonText rewritten(std::vector<Rewrite> rewrites);
 
   const std::string& text() const { return text_; }

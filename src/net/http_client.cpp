@@ -34,9 +34,9 @@ constexpr qint64 kReadAhead = qint64(1) << 20;  // how much Qt may buffer that h
 }  // namespace
 
 /// A body that can be read once and cannot be rewound.
-class OneWayBody : public QIODevice {
+class SequentialBody : public QIODevice {
  public:
-  explicit OneWayBody(QByteArray bytes) : bytes_(std::move(bytes)) { open(QIODevice::ReadOnly); }
+  explicit SequentialBody(QByteArray bytes) : bytes_(std::move(bytes)) { open(QIODevice::ReadOnly); }
   /// Whether any of it was read: the server may have received all of it.
   bool begun() const { return begun_; }
   bool isSequential() const override { return true; }
@@ -71,8 +71,8 @@ struct HttpJob {
   std::optional<HttpAnswer> answer;              // set: the reply only has to be delivered
   QNetworkAccessManager* own_network = nullptr;  // a fresh connection
   QNetworkReply* network_reply = nullptr;
-  OneWayBody* upload = nullptr;  // of network_reply
-  bool heard_sent = false;       // of this request
+  SequentialBody* upload = nullptr;  // of network_reply
+  bool heard_sent = false;           // of this request
   std::unique_ptr<QTimer> silence;
   QElapsedTimer since_sent;  // the last time
   QByteArray body;
@@ -151,7 +151,7 @@ QNetworkRequest requestOf(const HttpJob& job, const Secret& secret, const Trust&
   }
   // Left to itself Qt asks again, at once and up to three times, when the connection closes without an
   // answer: behind the back of whoever counts tries and waits between them, and of whoever changes
-  // something. A body that cannot be rewound (OneWayBody), empty as it is for GET, forbids that.
+  // something. A body that cannot be rewound (SequentialBody), empty as it is for GET, forbids that.
   const bool changes = job.request.method != HttpMethod::Get;
   const qsizetype length = changes ? job.request.body.size() : 0;
   if (length > 0) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
@@ -403,7 +403,7 @@ class HttpClient::Impl {
       job.own_network->setAutoDeleteReplies(false);
     }
     QNetworkAccessManager& network = changes ? *job.own_network : network_;
-    job.upload = new OneWayBody(changes ? job.request.body : QByteArray());
+    job.upload = new SequentialBody(changes ? job.request.body : QByteArray());
     job.network_reply =
         network.sendCustomRequest(requestOf(job, secret_, trust_), verbOf(job.request.method), job.upload);
     job.upload->setParent(job.network_reply);

@@ -146,7 +146,7 @@ class Chunks {
   void dropped(Tick from);
   /// An answer that is too long splits the range into two. So does one that the robot refuses or that cannot
   /// be read, down to about a second, as long as the number of requests stays bounded: a bag that is damaged
-  /// in one place is refused wherever that place is asked for. A range beyond the stated times that the robot
+  /// in one part is refused wherever that part is asked for. A range beyond the stated times that the robot
   /// refuses counts as empty.
   void failed(Tick from, const map::Failure& failure, Millis now);
   /// Requests failed ranges again at once.

@@ -102,7 +102,7 @@ class Submaps : public QObject {
   void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
   /// The store lost the picture: fetches it again.
   void lose(map::SubmapId id);
-  /// Something about the submap has changed: its row, its place in the queue, the counters.
+  /// Something about the submap has changed: its row, its position in the queue, the counters.
   void refreshRow(map::SubmapId id);
   void reportAllChanged();
   void notifyNow();

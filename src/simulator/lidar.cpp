@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// A cell of the canvas is one word, so that a ray touches one place in memory per step.
+// A cell of the canvas is one word, so that a ray touches one spot in memory per step.
 constexpr std::uint32_t kSolid = 0x8000'0000;
 constexpr std::uint32_t kHits = 0x7F00'0000, kOneHit = 0x0100'0000;
 constexpr std::uint32_t kMisses = 0x00FF'FFFF, kOneMiss = 1;

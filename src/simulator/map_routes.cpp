@@ -40,7 +40,7 @@ HttpAnswer pictureAnswer(const Robot& robot, const Request& request, const MapPi
   return answer;
 }
 
-/// Bytes that a client may cache by their tag, and get from any place on.
+/// Bytes that a client may cache by their tag, and get from any offset on.
 HttpAnswer bytesAnswer(std::string bytes, const Request& request) {
   const std::string tag = quoted(contentHash(bytes));
   const bool known = matchesTag(request.question.if_none_match, tag);

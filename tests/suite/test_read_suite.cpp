@@ -51,10 +51,11 @@ class ReadSuiteTest : public QObject {
 
   void whatIsWrongIsSaidWithItsPlace_data() {
     QTest::addColumn<QString>("yaml");
-    QTest::addColumn<QString>("place");
+    QTest::addColumn<QString>("location");
     QTest::addColumn<QString>("word");
-    const auto row = [](const char* name, const char* yaml, const char* place, const char* word) {
-      QTest::newRow(name) << QString::fromUtf8(yaml) << QString::fromUtf8(place) << QString::fromUtf8(word);
+    const auto row = [](const char* name, const char* yaml, const char* location, const char* word) {
+      QTest::newRow(name) << QString::fromUtf8(yaml) << QString::fromUtf8(location)
+                          << QString::fromUtf8(word);
     };
     const char* const in_view = "Line 2, column ";
     row("an unknown key", "views:\n  - {name: a, colour: red}", "Line 2, column 15: ", "\"colour\"");
@@ -100,11 +101,11 @@ class ReadSuiteTest : public QObject {
   }
   void whatIsWrongIsSaidWithItsPlace() {
     QFETCH(QString, yaml);
-    QFETCH(QString, place);
+    QFETCH(QString, location);
     QFETCH(QString, word);
     const auto read = suite::readSuite(yaml.toStdString(), kKnown);
     QVERIFY(!read);
-    QVERIFY2(read.error().startsWith(place), qPrintable(read.error()));
+    QVERIFY2(read.error().startsWith(location), qPrintable(read.error()));
     QVERIFY2(read.error().contains(word), qPrintable(read.error()));
   }
 

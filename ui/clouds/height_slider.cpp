@@ -81,7 +81,7 @@ void HeightSlider::mousePressEvent(QMouseEvent* event) {
   const double x = event->position().x();
   const clouds::HeightRange now = shown();
   const double low = xOf(now.low_m), high = xOf(now.high_m);
-  // If both are in one place, the one that can move towards the cursor.
+  // If both are at one position, the one that can move towards the cursor.
   active_ = dragged_ =
       std::abs(x - low) < std::abs(x - high) || (low == high && x < low) ? Handle::Low : Handle::High;
   moveHandle(dragged_, zAt(x));

@@ -131,7 +131,7 @@ void Panels::add(QDockWidget* dock, const PanelPosition& position) {
   connect(toggle, &QAction::toggled, dock, [this, dock](bool on) {
     behind_ = !on && dock->isVisible() && dock->visibleRegion().isEmpty() ? dock : nullptr;
   });
-  // Qt places it only once it is laid out.
+  // Qt positions it only once it is laid out.
   connect(toggle, &QAction::triggered, dock, [this, dock](bool on) {
     if (!on && std::exchange(behind_, nullptr) != dock) return;
     dock->show();

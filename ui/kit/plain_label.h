@@ -9,7 +9,7 @@ namespace mapwright::window {
 
 /// Shows text literally (no markup, no mnemonics), elided if there is no room, then with the whole text as
 /// tooltip. Its size comes from a sample, so texts that change ten times a second cause no relayout. Digits
-/// keep their places because numbers are right-aligned where wanted.
+/// keep their positions because numbers are right-aligned where wanted.
 class PlainLabel : public QWidget {
   Q_OBJECT
   Q_PROPERTY(QString text READ text WRITE setText)
@@ -52,7 +52,7 @@ class PlainLabel : public QWidget {
   int most_lines_ = 1;
 };
 
-/// Plain text escaped for places that may interpret rich text (tooltips).
+/// Plain text escaped for widgets that may interpret rich text (tooltips).
 QString plainToolTip(const QString& text);
 
 }  // namespace mapwright::window

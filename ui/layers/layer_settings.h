@@ -9,7 +9,7 @@
 
 namespace mapwright::window {
 
-/// All that can be set for one layer, besides its place.
+/// All that can be set for one layer, besides its position.
 struct LayerLook {
   bool shown = true;
   double opacity = 1;

@@ -341,7 +341,7 @@ void LayersDock::putAt(LayerRow* row, std::size_t index_among_peers) {
 void LayersDock::drag(LayerRow* row, int y) {
   dragging_ = true;
   scroll_->ensureVisible(0, y, 0, 36);
-  // It takes the place of the row whose middle it has passed.
+  // It takes the position of the row whose middle it has passed.
   std::size_t target = 0;
   for (const LayerRow* const other : peers(row)) {
     if (other == row) continue;

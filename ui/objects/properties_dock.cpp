@@ -92,7 +92,7 @@ void PropertiesDock::setObject(const scene::MapObject& object,
   state_->setText(tr("It is no longer on the map. Last known:"));
   copy_->setEnabled(true);
   locate_->setEnabled(true);
-  // Rows keep their places, so that a selection and the scroll bar stay.
+  // Rows keep their positions, so that a selection and the scroll bar stay.
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const int row = int(i);
     if (row >= model_->rowCount()) {

@@ -18,7 +18,7 @@ struct FieldAt {
 };
 
 /// `text` is JSON formatted by prettyJson(): strings and its end may be truncated. nullopt: there is no
-/// number, boolean or null at `place`, nor the key of one.
+/// number, boolean or null at `offset`, nor the key of one.
 std::optional<FieldAt> fieldAt(const QString& text, qsizetype offset, const QString& topic);
 
 class MessageView : public QPlainTextEdit {

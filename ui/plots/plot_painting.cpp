@@ -129,7 +129,7 @@ void PlotWidget::paintAxes(QPainter& painter) const {
     painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, tick.text);
     above = box.top();
   }
-  // Other places use UTC: the time zone is shown next to the times.
+  // Other parts of the window use UTC: the time zone is shown next to the times.
   const QString zone = since_s_ ? tr("s") : zoneText(span_.first);
   painter.drawText(QRect(0, area.bottom() + 4, area.left() - 6, metrics.height()), Qt::AlignRight, zone);
   int right = area.left() - 2;

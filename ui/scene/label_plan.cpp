@@ -42,7 +42,7 @@ class Taken {
  private:
   static constexpr double kCellPx = 48, kMostCells = 400;
   static int count(double length) { return int(std::clamp(std::ceil(length / kCellPx), 1.0, kMostCells)); }
-  /// The first one of a place that is no number.
+  /// The first one of a position that is no number.
   static int clamped(double at, int count) {
     return at > 0 ? int(std::min(std::floor(at / kCellPx), count - 1.0)) : 0;
   }

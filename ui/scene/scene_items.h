@@ -26,7 +26,7 @@ class SceneItems {
              const render::TileRenderer::Options& options, std::shared_ptr<clouds::CloudStore> clouds,
              std::function<void()> settled_changed, std::function<void()> labels_due);
 
-  /// Gives every item its place in `order`.
+  /// Gives every item its position in `order`.
   void stack();
   Halves halves() const;
   /// The user's choice (`shown`), modified by the needs of a comparison.

@@ -1,4 +1,4 @@
-// The status bar: connection, loading, problems, cursor, scale, rotation. All fields keep their places.
+// The status bar: connection, loading, problems, cursor, scale, rotation. All fields keep their positions.
 #pragma once
 
 #include <QElapsedTimer>

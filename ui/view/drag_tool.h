@@ -44,12 +44,12 @@ class DragTool : public MapTool {
 
   /// A press. False: a drag pans the map.
   virtual bool grab(const MapPoint& /*at*/) { return true; }
-  /// Each move of the drag, and the last place once more before finish().
+  /// Each move of the drag, and the last position once more before finish().
   virtual void update(const MapPoint& /*at*/) {}
   virtual void finish(const MapPoint& /*at*/) {}
   /// The press or the drag comes to nothing.
   virtual void cancel() {}
-  /// Pressed and let go in one place, whether or not grab() took it.
+  /// Pressed and let go at one position, whether or not grab() took it.
   virtual void click(const MapPoint& /*at*/) {}
   /// Esc, with nothing held. False: there is nothing left to take back.
   virtual bool stepBack() { return false; }

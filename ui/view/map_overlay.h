@@ -1,4 +1,4 @@
-// Places the widgets on top of the map: buttons, card, notices, tool hint, toasts.
+// Lays out the widgets on top of the map: buttons, card, notices, tool hint, toasts.
 #pragma once
 
 #include <QAbstractButton>
@@ -39,7 +39,7 @@ class MapOverlay : public QObject {
   QString hint() const;
   void setFurnitureVisible(bool visible);
   bool furnitureVisible() const { return furniture_visible_; }
-  /// Puts everything in its place.
+  /// Puts everything where it belongs.
   void layOut();
 
  protected:

@@ -51,7 +51,7 @@ class MapTool : public QObject {
   virtual void released(const MapPoint& /*at*/) {}
   /// The drag was cancelled (another window or tool).
   virtual void dragCancelled() {}
-  /// Pressed and released in one place, whether or not the tool took the press.
+  /// Pressed and released at one position, whether or not the tool took the press.
   virtual void clicked(const MapPoint& /*at*/) {}
   virtual void hovered(const MapPoint& /*at*/) {}
   virtual void left() {}  // the cursor left the map

@@ -34,7 +34,7 @@ class ToastStack : public QWidget {
   QStringList texts() const;
 
  Q_SIGNALS:
-  void changed();  // place me anew
+  void changed();  // lay me out anew
 
  private:
   QVBoxLayout* column_;

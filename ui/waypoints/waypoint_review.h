@@ -23,7 +23,7 @@ class QTableView;
 namespace mapwright::window {
 
 /// The requests, each in words, with its changes and its result; below them the changes that the robot would
-/// refuse, which are not sent. Rows keep their places: neither focus nor selection moves when they change.
+/// refuse, which are not sent. Rows keep their positions: neither focus nor selection moves when they change.
 class ReviewModel : public QAbstractTableModel {
   Q_OBJECT
  public:

@@ -132,8 +132,8 @@ void WaypointsModel::onChanged(const edit::DocumentChange& change) {
   }
   if (come.size() + go.size() > kManyRows) return begin();
   if (others > 1) {
-    // One signal for all of them: told one by one, a sorted list would place each among others that are not
-    // in their places yet. Without unchanged columns, as one of these may be the sort column.
+    // One signal for all of them: told one by one, a sorted list would put each among others that are not
+    // in their positions yet. Without unchanged columns, as one of these may be the sort column.
     using namespace edit::waypoint_field;
     const auto emitColumns = [&](edit::FieldMask field, int from, int to) {
       if (change.fields & field || !change.added.empty() || !change.removed.empty())
