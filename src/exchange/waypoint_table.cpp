@@ -431,9 +431,9 @@ void knowByPlace(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept)
     keys.emplace(&point, key);
   }
   const auto findFor = [&](WantedWaypoint& one) {
-    for (int neighbor = 0; neighbor < 9; ++neighbor) {
+    for (int neighbour = 0; neighbour < 9; ++neighbour) {
       const auto [first, last] =
-          by_cell.equal_range(cellOf(*one.position_m, neighbor / 3 - 1, neighbor % 3 - 1));
+          by_cell.equal_range(cellOf(*one.position_m, neighbour / 3 - 1, neighbour % 3 - 1));
       for (auto near = first; near != last; ++near) {
         const map::Waypoint& point = *near->second;
         if (!map::samePlace(point.position_m, *one.position_m)) continue;
