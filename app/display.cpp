@@ -13,6 +13,7 @@
 #include "app/command_text.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "scene/label_font.h"
 
 static void initFonts() { Q_INIT_RESOURCE(fonts); }
 
@@ -99,7 +100,7 @@ OffscreenApplication::OffscreenApplication(int& argc, char** argv)
 
 void addLabelFont() {
   initFonts();
-  QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/DejaVuSans.ttf"));
+  QFontDatabase::addApplicationFont(QString::fromLatin1(scene::kLabelFontFile));
 }
 
 bool haveDisplay() {

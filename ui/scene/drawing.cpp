@@ -2,17 +2,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include <QFile>
 #include <QGlyphRun>
 #include <QRawFont>
 #include <QTextLayout>
+
+#include "scene/label_font.h"
 
 namespace mapwright::scene {
 namespace {
 
 /// Emoji are pictures in their font.
 bool hasPictures(const QGlyphRun& run) { return !run.rawFont().fontTable("CBLC").isEmpty(); }
+
+/// The font to take a run's outlines from. Those that FreeType reads from a face move by up to 1/64 pixel
+/// once the same face has drawn hinted letters, as a window does: so labels have a face of their own.
+QRawFont faceFor(const QGlyphRun& run) {
+  struct Own {
+    QRawFont font;
+    QByteArray head;  // tells versions of the file apart
+    std::map<qreal, QRawFont> sized;
+  };
+  const auto load = [] {
+    auto* const own = new Own;
+    QFile file(QString::fromLatin1(kLabelFontFile));
+    if (file.open(QIODevice::ReadOnly)) own->font.loadFromData(file.readAll(), 1, QFont::PreferNoHinting);
+    if (own->font.isValid()) own->head = own->font.fontTable("head");
+    return own;
+  };
+  static Own& own = *load();  // never deleted: fonts must not outlive the application
+  const QRawFont font = run.rawFont();
+  if (own.head.isEmpty() || font.fontTable("head") != own.head) return font;
+  const auto [sized, is_new] = own.sized.try_emplace(font.pixelSize(), own.font);
+  if (is_new) sized->second.setPixelSize(font.pixelSize());
+  return sized->second;
+}
 
 /// All but the pictures: once Qt 6.4 was asked for the outlines of their font it takes other widths for them,
 /// and may find none.
@@ -21,7 +48,7 @@ QPainterPath outlines(const QList<QGlyphRun>& runs) {
   path.setFillRule(Qt::WindingFill);
   for (const QGlyphRun& run : runs) {
     if (hasPictures(run)) continue;
-    const QRawFont font = run.rawFont();
+    const QRawFont font = faceFor(run);
     const QList<quint32> glyphs = run.glyphIndexes();
     const QList<QPointF> positions = run.positions();
     for (qsizetype i = 0; i < glyphs.size(); ++i)

@@ -29,7 +29,9 @@ MapTheme themeOf(bool dark) {
   theme.map = dark ? render::MapColors{0xff2b3440, 0xffd9dee4, 0xff05070a, 0xff8fb8f0, 0xffe04b4b}
                    : render::MapColors{0xff778899, 0xffffffff, 0xff15181c, 0xff8fb8f0, 0xffe04b4b};
   for (const ColorRow& row : kColorRows) theme.*row.color = QColor::fromRgba(dark ? row.dark : row.light);
-  theme.label_font = QFont(QStringLiteral("DejaVu Sans"));
+  // In the order in which commands find them (app/display.cpp), whatever else is installed.
+  theme.label_font.setFamilies({QStringLiteral("DejaVu Sans"), QStringLiteral("Noto Sans CJK SC"),
+                                QStringLiteral("Noto Color Emoji")});
   theme.label_font.setPixelSize(11);
   // The same glyph shapes on every machine and at every sub-pixel position.
   theme.label_font.setHintingPreference(QFont::PreferNoHinting);
