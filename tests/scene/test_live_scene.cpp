@@ -75,6 +75,9 @@ class LiveSceneTest : public QObject {
     scene_ = std::make_unique<MapScene>(options);
     scene_->setView({{0, 0}, 0.01, 0, 100, 100});
     scene_->setSession(session_.get());
+    map::Streams all;
+    for (const Layer layer : scene::allLayers()) all.merge(scene::layerStreams(layer));
+    session_->want(QStringLiteral("bench"), all);  // such a scene asks for nothing
     showOnly({Layer::WholeMap});
   }
   void cleanup() {
@@ -304,6 +307,9 @@ class LiveSceneTest : public QObject {
   }
 
   void visibleLayersAskForTheirTopicsAndHiddenOnesDoNot() {
+    session_->want(QStringLiteral("bench"), {});
+    scene_ = std::make_unique<MapScene>(render::TileRenderer::Options{});
+    scene_->setSession(session_.get());
     showOnly({Layer::Path, Layer::Cloud});
     QVERIFY(robot_->wanted.contains(QStringLiteral("/path")));
     QVERIFY(robot_->wanted.contains(QStringLiteral("/scan_matched_points2")));

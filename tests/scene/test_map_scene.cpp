@@ -166,13 +166,24 @@ class MapSceneTest : public QObject {
     QVERIFY(qRed(faded) > 0x77 + 30 && qRed(faded) < 0xff - 30);
   }
 
-  void theViewTellsTheSessionWhatIsLookedAt() {
+  void theViewInAWindowTellsTheSessionWhatIsLookedAt_data() {
+    QTest::addColumn<bool>("in_window");
+    QTest::addColumn<int>("asked_first");
+    QTest::newRow("in a window") << true << 5;
+    QTest::newRow("for a picture") << false << 0;
+  }
+  void theViewInAWindowTellsTheSessionWhatIsLookedAt() {
+    QFETCH(bool, in_window);
+    render::TileRenderer::Options options;
+    options.previews = in_window;
+    scene_ = std::make_unique<MapScene>(options);
+    scene_->setSession(session_.get());
     robot_->say(listOf({}));
     scene_->setView({{50, 0}, 0.01, 0, 100, 100});
     std::vector<map::SubmapEntry> entries;
     for (int i = 0; i < 10; ++i) entries.push_back(entry(i, 1, i * 10, 0));
     robot_->say(listOf(entries));
-    QCOMPARE(robot_->asked.at(0).id.index, 5);
+    QTEST(robot_->asked.at(0).id.index, "asked_first");
   }
 
   void namesOfLayersAreThoseOfTheCommandLine() {

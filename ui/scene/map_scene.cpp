@@ -158,7 +158,7 @@ void MapScene::setSession(session::Session* session) {
     }
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &MapScene::syncPlace);
     connect(session_, &Session::listChanged, this, &MapScene::syncPlace);
-    session_->setView(view_.visibleWorld(), view_.center_m);
+    if (items_->asks) session_->setView(view_.visibleWorld(), view_.center_m);
     sendWants();
   }
   syncPlace();
@@ -323,7 +323,7 @@ void MapScene::setView(const geometry::ViewTransform& view) {
   for (LayerItem* item : items_->all) item->viewMoved();
   items_->labels.viewMoved();
   items_->robot_rect = robotRect(items_->context);
-  if (session_) session_->setView(view_.visibleWorld(), view_.center_m);
+  if (session_ && items_->asks) session_->setView(view_.visibleWorld(), view_.center_m);
   update();
   Q_EMIT viewChanged();
 }
@@ -392,7 +392,7 @@ void MapScene::syncFeatures() {
 }
 
 void MapScene::sendWants() {
-  if (!session_) return;
+  if (!session_ || !items_->asks) return;
   map::Streams streams;
   for (const Layer layer : allLayers()) {
     if (layerVisible(layer)) streams.merge(layerStreams(layer));

@@ -43,8 +43,8 @@ class SceneItems;
 class MapScene : public QGraphicsScene {
   Q_OBJECT
  public:
-  /// `renderer_options.previews` false makes a scene for snapshots: only exact pictures, no animation.
-  /// `clouds`: those of the map; null = there are none.
+  /// `renderer_options.previews` false makes a scene for snapshots: only exact pictures, no animation, and
+  /// the session is asked for nothing. `clouds`: those of the map; null = there are none.
   explicit MapScene(render::TileRenderer::Options renderer_options,
                     std::shared_ptr<clouds::CloudStore> clouds = nullptr, QObject* parent = nullptr);
   ~MapScene() override;

@@ -182,6 +182,7 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
                        std::function<void()> labels_due)
     : context(contextOf(renderer, options, std::move(clouds), std::move(settled_changed))),
       order(allLayers()),
+      asks(options.previews),
       labels(options.previews),
       raster(context),
       highlight(new HighlightItem(context)),

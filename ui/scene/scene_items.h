@@ -63,6 +63,7 @@ class SceneItems {
   std::map<Layer, bool> shown;
   std::vector<Layer> order;
   CompareMode compare = CompareMode::Off;
+  const bool asks;            // tells the session what its layers and its view need: a window does
   bool has_submaps = false;   // the robot has some
   bool wants_second = false;  // a second map is compared, or loading
   bool has_compared = false;  // it is there
