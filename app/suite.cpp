@@ -16,13 +16,12 @@
 #include "app/robot_factory.h"
 #include "app/suite_drawing.h"
 #include "app/view_facts.h"
-#include "compare/comparison_sentence.h"
 #include "compare/difference_picture.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "suite/facts_changes.h"
+#include "suite/judgement.h"
 #include "suite/junit.h"
 #include "suite/outcome.h"
 #include "suite/suite_page.h"
@@ -31,21 +30,19 @@
 namespace mapwright::app {
 namespace {
 
+using suite::Judgement;
 using suite::Verdict;
 using suite::ViewOutcome;
 using words::text;
 
 constexpr int kMostJobs = 64, kMostVariants = 99;
-constexpr std::size_t kMostPictureFileBytes = std::size_t(1) << 30, kMostFactsBytes = std::size_t(64) << 20;
+constexpr std::size_t kMostPictureFileBytes = std::size_t(1) << 30;
 
 struct SuiteArguments : RobotArguments {
   std::string suite, expected;  // `report`: the folder
   std::vector<std::string> only;
   int jobs = int(std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
 };
-
-/// "a.json" of "a.png".
-QString factsBeside(const QString& picture) { return picture.chopped(4) + QStringLiteral(".json"); }
 
 /// A suite that is ready to be drawn.
 struct PlannedSuite {
@@ -58,7 +55,7 @@ struct PlannedSuite {
     const QString number = variant == 0 ? QString() : QStringLiteral(".%1").arg(variant);
     return QStringLiteral("%1/%2%3.png").arg(expected, views[view].name, number);
   }
-  QString expectedFacts(std::size_t view) const { return factsBeside(expectedPicture(view)); }
+  QString expectedFacts(std::size_t view) const { return suite::factsBeside(expectedPicture(view)); }
   /// "actual" or "difference".
   QString made(const char* kind, std::size_t view) const {
     return QStringLiteral("%1/%2/%3.png").arg(report, QLatin1String(kind), views[view].name);
@@ -174,80 +171,19 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
   return plan;
 }
 
-/// What came of comparing with all accepted pictures.
-struct Judged {
-  Verdict verdict = Verdict::Failed;
-  QString sentence, expected;  // of the nearest picture
-  std::optional<compare::Comparison> comparison;
-  bool unreadable = false;
-};
-
 compare::Allowed allowedIn(const suite::View& view) {
   return {view.tolerance, view.max_differing_percent, view.mask.toStdString()};
 }
 
-Judged judged(const PlannedSuite& plan, std::size_t view) {
-  Judged best;
-  const QStringList pictures = plan.expectedPictures(view);
-  if (pictures.isEmpty()) {
-    best.verdict = Verdict::NotExpectedYet;
-    best.sentence = Text::tr("There is no expected picture %1. mapwright suite accept makes one.")
-                        .arg(plan.expectedPicture(view));
-    return best;
-  }
-  const compare::Allowed allowed = allowedIn(plan.views[view]);
-  for (const QString& picture : pictures) {
-    auto made =
-        compare::comparePictures(picture.toStdString(), plan.made("actual", view).toStdString(), allowed);
-    if (!made) {
-      best.verdict = Verdict::Failed;
-      best.unreadable = true;
-      best.sentence = sentences::sentenceOf(made.error());
-      return best;
-    }
-    const bool nearer = !best.comparison || made->equal || made->differing < best.comparison->differing;
-    if (!nearer) continue;
-    best.verdict = made->equal ? Verdict::AsExpected : Verdict::Differs;
-    best.expected = picture;
-    best.comparison = std::move(*made);
-    if (best.verdict == Verdict::AsExpected) break;
-  }
-  return best;
-}
-
-tl::expected<suite::Facts, QString> factsIn(const QString& path) {
-  const auto bytes = disk::readFile(path.toStdString(), kMostFactsBytes);
-  if (!bytes) return tl::make_unexpected(sentences::sentenceOf(bytes.error().cause));
-  return suite::factsFrom(QByteArray::fromStdString(*bytes));
-}
-
-/// What is to be said of a view that differs, joined with the facts that changed since the nearest of its
-/// pictures, if there are facts of that one. A note if they cannot be read.
-void explain(const Judged& judged, const suite::Facts& facts, ViewOutcome& outcome) {
-  const compare::Comparison& comparison = *judged.comparison;
-  suite::Explanation explanation;
-  QString why = compare::clustersText(comparison, facts.view);
-  if (!why.isEmpty()) why += QLatin1Char('.');
-  const QString kept = factsBeside(judged.expected);
-  if (QFileInfo::exists(kept)) {
-    const auto before = factsIn(kept);
-    if (before && !before->picture.empty() && before->picture != suite::sumOf(judged.expected)) {
-      why += QLatin1Char(' ') + Text::tr("The facts beside %1 are of another picture.").arg(judged.expected);
-    } else if (before && facts.view) {
-      explanation = suite::explained(comparison, *facts.view, suite::changesBetween(*before, facts));
-      why = suite::explanationText(comparison, *facts.view, explanation);
-    } else if (!before) {
-      why += QLatin1Char(' ') + Text::tr("%1: %2").arg(kept, before.error());
-    }
-  }
-  outcome.sentence =
-      QStringList{compare::sizesText(comparison), why, compare::amountText(comparison) + QLatin1Char('.')}
-          .join(QLatin1Char(' '))
-          .trimmed();
-  outcome.clusters = suite::clusterRows(comparison, facts.view, explanation);
-  outcome.everywhere = explanation.everywhere;
-  outcome.somewhere = explanation.somewhere;
-  outcome.elsewhere = explanation.elsewhere;
+Judgement judged(const PlannedSuite& plan, std::size_t view) {
+  const QStringList accepted = plan.expectedPictures(view);
+  if (!accepted.isEmpty())
+    return suite::judge(accepted, plan.made("actual", view), allowedIn(plan.views[view]));
+  return {Verdict::NotExpectedYet,
+          Text::tr("There is no expected picture %1. mapwright suite accept makes one.")
+              .arg(plan.expectedPicture(view)),
+          {},
+          {}};
 }
 
 /// Prints what there is to say of views in their order, as they come.
@@ -277,7 +213,7 @@ void drawPlanned(const PlannedSuite& plan, const RobotAccess& access, int jobs,
                  const std::function<QString(std::size_t, const DrawnView&)>& take) {
   for (std::size_t view = 0; view < plan.views.size(); ++view) {
     for (const char* const kind : {"actual", "difference"}) QFile::remove(plan.made(kind, view));
-    QFile::remove(factsBeside(plan.made("actual", view)));
+    QFile::remove(suite::factsBeside(plan.made("actual", view)));
   }
   ProgressLine progress;
   OrderedLines lines(plan.views.size());
@@ -305,10 +241,10 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     QFile::remove(actual);
     return outcome;
   }
-  const Judged verdict = judged(plan, view);
+  const Judgement verdict = judged(plan, view);
   outcome.verdict = verdict.verdict;
   outcome.sentence = verdict.sentence;
-  unreadable = unreadable || verdict.unreadable;
+  unreadable = unreadable || verdict.unreadable();
   if (outcome.verdict == Verdict::AsExpected) {
     QFile::remove(actual);
     return outcome;
@@ -316,10 +252,10 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
   outcome.actual = actual;
   suite::Facts facts = factsOf(*drawn.run);
   facts.picture = suite::sumOf(actual);
-  const auto not_kept = writeFacts(factsBeside(actual), facts);
-  if (verdict.comparison && !verdict.unreadable) {
+  const auto not_kept = writeFacts(suite::factsBeside(actual), facts);
+  if (verdict.verdict == Verdict::Differs) {
     outcome.expected = verdict.expected;
-    explain(verdict, facts, outcome);
+    suite::explain(verdict, facts, outcome);
     if (const auto fault = compare::writeDifference(*verdict.comparison, verdict.expected.toStdString(),
                                                     actual.toStdString(), difference.toStdString())) {
       outcome.sentence += QLatin1Char(' ') + sentences::sentenceOf(*fault);
@@ -403,7 +339,7 @@ QString endVariants(const PlannedSuite& plan, std::size_t view) {
   QStringList ended;
   for (const QString& variant : plan.expectedPictures(view).mid(1)) {
     if (!QFile::remove(variant)) continue;
-    QFile::remove(factsBeside(variant));
+    QFile::remove(suite::factsBeside(variant));
     ended << QFileInfo(variant).fileName();
   }
   return ended.isEmpty() ? QString()
@@ -422,11 +358,11 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
     suite::Facts facts = factsOf(*drawn.run);
     const QString picture = plan.expectedPicture(view);
-    const Judged verdict = judged(plan, view);
+    const Judgement verdict = judged(plan, view);
     if (verdict.verdict == Verdict::AsExpected) {
       facts.picture = suite::sumOf(verdict.expected);
-      const QString beside = factsBeside(verdict.expected);
-      if (const auto kept = factsIn(beside); kept && kept->picture == facts.picture)
+      const QString beside = suite::factsBeside(verdict.expected);
+      if (const auto kept = suite::factsIn(beside); kept && kept->picture == facts.picture)
         return Text::tr("%1: as expected, nothing is replaced").arg(name);
       if (const auto why = writeFacts(beside, facts)) return fail(kUsage, *why);
       return Text::tr("%1: as expected, the facts beside it are new: %2").arg(name, beside);
@@ -439,8 +375,8 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     facts.picture = suite::sumOf(actual);
     const bool replaces = QFileInfo::exists(picture);
     ViewOutcome outcome;
-    if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);
-    if (verdict.unreadable) outcome.sentence = verdict.sentence;
+    if (verdict.verdict == Verdict::Differs) suite::explain(verdict, facts, outcome);
+    if (verdict.unreadable()) outcome.sentence = verdict.sentence;
     if (const auto why = replaceExpected(plan, view, facts)) return fail(kUsage, *why);
     const QString ended = endVariants(plan, view);
     return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, ended + outcome.sentence)

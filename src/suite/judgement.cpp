@@ -1,0 +1,77 @@
+#include "suite/judgement.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include "compare/comparison_sentence.h"
+#include "disk/read_file.h"
+#include "sentences/fault_sentence.h"
+#include "suite/facts_changes.h"
+
+namespace mapwright::suite {
+namespace {
+
+struct JudgementText {
+  Q_DECLARE_TR_FUNCTIONS(JudgementText)
+};
+
+constexpr std::size_t kMostFactsBytes = std::size_t(64) << 20;
+
+}  // namespace
+
+Judgement judge(const QStringList& accepted, const QString& actual, const compare::Allowed& allowed) {
+  Judgement best;
+  for (const QString& picture : accepted) {
+    auto made = compare::comparePictures(picture.toStdString(), actual.toStdString(), allowed);
+    if (!made) {
+      best.verdict = Verdict::Failed;
+      best.sentence = sentences::sentenceOf(made.error());
+      return best;
+    }
+    const bool nearer = !best.comparison || made->equal || made->differing < best.comparison->differing;
+    if (!nearer) continue;
+    best.verdict = made->equal ? Verdict::AsExpected : Verdict::Differs;
+    best.expected = picture;
+    best.comparison = std::move(*made);
+    if (best.verdict == Verdict::AsExpected) break;
+  }
+  return best;
+}
+
+QString factsBeside(const QString& picture) { return picture.chopped(4) + QStringLiteral(".json"); }
+
+tl::expected<Facts, QString> factsIn(const QString& path) {
+  const auto bytes = disk::readFile(path.toStdString(), kMostFactsBytes);
+  if (!bytes) return tl::make_unexpected(sentences::sentenceOf(bytes.error().cause));
+  return factsFrom(QByteArray::fromStdString(*bytes));
+}
+
+void explain(const Judgement& judgement, const Facts& facts, ViewOutcome& outcome) {
+  const compare::Comparison& comparison = *judgement.comparison;
+  Explanation explanation;
+  QString why = compare::clustersText(comparison, facts.view);
+  if (!why.isEmpty()) why += QLatin1Char('.');
+  const QString kept = factsBeside(judgement.expected);
+  if (QFileInfo::exists(kept)) {
+    const auto before = factsIn(kept);
+    if (before && !before->picture.empty() && before->picture != sumOf(judgement.expected)) {
+      why += QLatin1Char(' ') +
+             JudgementText::tr("The facts beside %1 are of another picture.").arg(judgement.expected);
+    } else if (before && facts.view) {
+      explanation = explained(comparison, *facts.view, changesBetween(*before, facts));
+      why = explanationText(comparison, *facts.view, explanation);
+    } else if (!before) {
+      why += QLatin1Char(' ') + QStringLiteral("%1: %2").arg(kept, before.error());
+    }
+  }
+  outcome.sentence =
+      QStringList{compare::sizesText(comparison), why, compare::amountText(comparison) + QLatin1Char('.')}
+          .join(QLatin1Char(' '))
+          .trimmed();
+  outcome.clusters = clusterRows(comparison, facts.view, explanation);
+  outcome.everywhere = explanation.everywhere;
+  outcome.somewhere = explanation.somewhere;
+  outcome.elsewhere = explanation.elsewhere;
+}
+
+}  // namespace mapwright::suite
