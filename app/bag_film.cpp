@@ -1,7 +1,6 @@
 // `mapwright bags snapshot|film`: a bag as a picture, as a series of them, or as a video made with ffmpeg.
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -19,10 +18,8 @@
 #include "app/command_text.h"
 #include "app/display.h"
 #include "app/output.h"
-#include "app/robot_factory.h"
 #include "app/snapshot.h"
-#include "app/snapshot_run.h"
-#include "replay/replay_robot.h"
+#include "app/suite_drawing.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -108,35 +105,6 @@ std::optional<QString> makeFilm(const Place& place, double fps) {
   return std::nullopt;
 }
 
-struct Shot {
-  int code = kDone;
-  QString sentence;
-  QJsonObject report;
-};
-
-Shot shoot(const SnapshotOptions& options, const Access& access, geometry::ViewTransform* view) {
-  auto robot = makeRobot(options.robot, access, DemoTime::Frozen);
-  if (!robot) return {kUsage, robot.error(), {}};
-  SnapshotRun run(options, std::make_unique<replay::ReplayRobot>(std::move(*robot), options.bag),
-                  {std::chrono::steady_clock::now(), {}});
-  Shot shot;
-  QEventLoop loop;
-  QObject::connect(
-      &run, &SnapshotRun::finished, &loop,
-      [&](int code) {
-        shot.code = code;
-        loop.quit();
-      },
-      Qt::QueuedConnection);
-  run.start();
-  loop.exec();
-  const QStringList warnings = run.warnings();
-  shot.sentence = !run.error().isEmpty() ? run.error() : warnings.isEmpty() ? QString() : warnings.front();
-  shot.report = run.report();
-  if (view) *view = run.view();
-  return shot;
-}
-
 /// From `from_s` to `to_s` in steps of `every_s`.
 std::vector<double> filmTimes(double from_s, double to_s, double every_s) {
   std::vector<double> times;
@@ -193,17 +161,20 @@ int bagsFilm(const FilmArguments& args, int& argc, char** argv) {
   for (const std::size_t number : order) {
     options->at_s = (*times)[number];
     options->output = numbered((*place)->pattern, int(number));
-    geometry::ViewTransform view;
-    const Shot shot = shoot(*options, access->forAddress(options->robot), &view);
-    if (shot.code != kDone && shot.code != kIncomplete) {
+    int code = kDone;
+    QString trouble;
+    drawViews({*options}, *access, 1, [&](std::size_t, const DrawnView& drawn) {
+      code = drawn.exit_code;
+      trouble = drawn.run && drawn.run->error().isEmpty() ? drawn.run->warnings().value(0) : drawn.sentence;
+      if (!drawn.run || options->center_m) return;
+      options->center_m = drawn.run->view().center_m;
+      options->scale_m_per_px = drawn.run->view().scale_m_per_px;
+    });
+    if (code != kDone && code != kIncomplete) {
       progress.clear();
-      return refuse(shot.code, shot.sentence);
+      return refuse(code, trouble);
     }
-    if (shot.code == kIncomplete && incomplete++ == 0) first_trouble = shot.sentence;
-    if (!options->center_m) {
-      options->center_m = view.center_m;
-      options->scale_m_per_px = view.scale_m_per_px;
-    }
+    if (code == kIncomplete && incomplete++ == 0) first_trouble = trouble;
     ++done;
     progress.tell(Text::tr("%1 of %2 pictures").arg(done).arg(order.size()));
   }

@@ -85,11 +85,13 @@ CommandResult<QStringList> RegionSnapshot::notes(const QString& link) const {
   return notes;
 }
 
-std::optional<QString> RegionSnapshot::putInto(SnapshotContent& content, bool raw) {
+regions::RegionMap* RegionSnapshot::still() {
   fetch_->map().standStill();
-  content.regions = &fetch_->map();
-  content.whole = raw;
-  if (!raw) return std::nullopt;
+  return &fetch_->map();
+}
+
+std::optional<QString> RegionSnapshot::putInto(shot::RawContent& content) {
+  still();
   const regions::FetchedGrid fetched = regions::cutOut(regions().sheets(), rect_, regions::CutEdge::Touched);
   if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};
   if (fetched.other_lattices <= 0) return std::nullopt;

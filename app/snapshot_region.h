@@ -10,10 +10,10 @@
 #include <QStringList>
 
 #include "app/commands.h"
-#include "app/snapshot_picture.h"
 #include "geometry/rect.h"
 #include "regions/region_fetch.h"
 #include "robot/robot.h"
+#include "shot/picture.h"
 
 namespace mapwright::app {
 
@@ -40,8 +40,10 @@ class RegionSnapshot {
   /// What is to be said about it, before it is drawn. Fails if there is nothing to draw. `link`: of the
   /// connection.
   CommandResult<QStringList> notes(const QString& link) const;
-  /// Puts it into the picture; a sentence if parts of it cannot be drawn.
-  std::optional<QString> putInto(SnapshotContent& content, bool raw);
+  /// What has come of it; nothing more will change there.
+  regions::RegionMap* still();
+  /// Its cells; a sentence if parts of them cannot be drawn.
+  std::optional<QString> putInto(shot::RawContent& content);
   /// {"center", "lengths", …} of the report.
   QJsonObject json() const;
 

@@ -38,11 +38,12 @@ constexpr double kFitMarginPx = 16;
 constexpr double kTallM = 2000;       // higher and deeper than any building
 constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its state, or not at all
 constexpr double kNoteEveryS = 0.25;
-// If the robot is gone, waiting ends when this much time is left, since drawing takes some, too.
-constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
 constexpr double kListWithinS = 8, kListAtLeastS = 3;  // if a whole map can be drawn instead
 
-int milliseconds(double seconds) { return int(std::clamp(seconds * 1000, 0.0, 2e9)); }
+using shot::Awaited;
+using shot::EndOfWaiting;
+using shot::Lack;
+using shot::Stage;
 
 /// Chooses the mode if the user has not, depending on what `robot` offers.
 SnapshotOptions decided(SnapshotOptions options, robot::Robot& robot) {
@@ -57,7 +58,7 @@ session::Session::Options sessionFor(const SnapshotOptions& options,
   session::Session::Options session = sessionOptions();
   session.workers = workers;
   session.overview = session.maps = false;  // a picture shows exact data, or none
-  session.basics = LayerSubscription::basics(options.layers, options.wantsSubmaps());
+  session.basics = shot::LayerSubscription::basics(options.layers, options.wantsSubmaps());
   return session;
 }
 
@@ -69,7 +70,27 @@ QString passed(double since_s) {
   return QString::number(since_s < 1 ? std::floor(since_s * 10) / 10 : std::floor(since_s));
 }
 
-QJsonValue secondsOrNull(double value) { return value < 0 ? QJsonValue() : QJsonValue(toThousandths(value)); }
+QJsonValue secondsOrNull(std::optional<double> value) {
+  return value ? QJsonValue(toThousandths(*value)) : QJsonValue();
+}
+
+/// What is to be said about the robot in the picture.
+QStringList robotNotes(const scene::MapScene& scene, const session::Session& session) {
+  QStringList of_robot;
+  for (const scene::Layer layer : scene::allLayers()) {
+    if (scene.layerVisible(layer) && scene::specOf(layer).follows_robot) of_robot << scene::layerName(layer);
+  }
+  if (of_robot.isEmpty() || !scene.session()->robot().liveTopics()) return {};
+  const scene::RobotPlace& place = scene.robotPlace();
+  const QString names = of_robot.join(QStringLiteral(", "));
+  if (place.drawn == scene::ScreenPart::None)
+    return {
+        Text::tr("The robot is not in this map. Left out: %1. Pass --robot-anyway to draw them.").arg(names)};
+  if (place.by_choice) return {Text::tr("The robot is not in this map. Drawn anyway: %1.").arg(names)};
+  if (place.where == map::Whereabouts::Unknown && session.live().robot_pose)
+    return {Text::tr("The robot does not report which map it is in. It may not be this one: %1.").arg(names)};
+  return {};
+}
 
 }  // namespace
 
@@ -82,31 +103,18 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
       live_layers_(session_),
-      start_(start) {
+      start_(start),
+      shot_({options_.timeout_s, options_.settle_s, start.grace.draw_s}) {
   if (options_.region) region_.emplace(options_.robot, *options_.region, options_.scale_m_per_px);
   session_.setSlice(options_.slice);
   replayed_ = qobject_cast<replay::ReplayRobot*>(&session_.robot());
-  if (replayed_) {
-    connect(replayed_, &replay::ReplayRobot::jumped, this,
-            [this](const map::World& world, replay::Knowledge knowledge) {
-              if (recalled_ || knowledge != replay::Knowledge::Exact) return;
-              recalled_ = true;
-              session_.reset(world);
-              for (const auto& [topic, stamp_s] : replayed_->topics()) live_layers_.hear(topic);
-            });
-  }
+  if (replayed_) recall_.emplace(session_, *replayed_);
   if (robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot())) of->choose(options_.topics);
   map_.setLiveTimeout(replayed_ ? kBagMapWithinS : options_.timeout_s / 2);
   if (!automatic_) map_.agreeToWhole();
-  for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
-    timer->setSingleShot(true);
-    timer->setTimerType(Qt::PreciseTimer);
-  }
-  connect(&timeout_, &QTimer::timeout, this, &SnapshotRun::timeOut);
-  connect(&cut_off_, &QTimer::timeout, this, &SnapshotRun::cutOff);
-  connect(&settle_, &QTimer::timeout, this,
-          [this] { paint(!options_.wantsSubmaps() || session_.settled(kSnapshotTries)); });
-  connect(&poll_, &QTimer::timeout, this, &SnapshotRun::look);
+  timer_.setSingleShot(true);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &SnapshotRun::lookAndWait);
   connect(&session_, &session::Session::connectionChanged, this, &SnapshotRun::look);
   connect(&session_, &session::Session::listChanged, this, [this] {
     if (options_.center_m) return;
@@ -131,12 +139,19 @@ double SnapshotRun::seconds() const {
 }
 
 void SnapshotRun::start() {
-  timeout_.start(milliseconds(options_.timeout_s - seconds()));
-  poll_.start(kSnapshotLookEveryMs);
   view_ = chooseView();
   if (options_.center_m) session_.setView(view_.visibleWorld(), view_.center_m);
   updateStanding();
   session_.open();
+  lookAndWait();
+}
+
+void SnapshotRun::lookAndWait() {
+  look();
+  if (shot_.over()) return;
+  const double limit_ms = std::ceil(shot_.untilLimit(seconds()).value_or(0) * 1000);
+  timer_.start(
+      int(shot_.waits() ? std::min<double>(kSnapshotLookEveryMs, limit_ms) : std::min(limit_ms, 2e9)));
 }
 
 QString SnapshotRun::whatOfTheLink() const {
@@ -154,7 +169,7 @@ QString SnapshotRun::noConnection() const {
 }
 
 bool SnapshotRun::connected() {
-  if (connected_s_ >= 0) return true;
+  if (shot_.connected()) return true;
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Refused) {
     // An unreadable file is not an unreachable robot.
@@ -191,18 +206,41 @@ bool SnapshotRun::connected() {
     return false;
   }
   if (!topicsChoosable()) return false;
-  connected_s_ = seconds();
+  shot_.enter(Stage::Settling, seconds());
   live_layers_.ask(options_.layers,
                    options_.wantsWhole() && (!options_.map || options_.map->kind == map::MapKind::Live));
-  // A robot is drawn on the maps that it is in, which the catalogue tells.
-  asks_where_ = !options_.raw && options_.wantsWhole() && options_.map &&
-                options_.map->kind != map::MapKind::Live && session_.robot().liveTopics() &&
-                std::any_of(options_.layers.begin(), options_.layers.end(),
-                            [](scene::Layer layer) { return scene::specOf(layer).follows_robot; });
-  if (asks_where_) session_.catalogue().refresh();
+  awaitContent();
+  if (shot_.awaits(Awaited::Whereabouts)) session_.catalogue().refresh();
   if (options_.center_m && !region_ && wantsCloud()) askForCloud(view_.visibleWorld());
-  if (options_.settle_s) settle_.start(milliseconds(*options_.settle_s));
   return true;
+}
+
+void SnapshotRun::awaitContent() {
+  shot_.forgetAll();
+  if (region_) shot_.await(Awaited::Region, [this] { return region_->over(); });
+  if (!region_ && options_.wantsSubmaps())
+    shot_.await(Awaited::Submaps, [this] { return lacksSubmaps() || session_.settled(kSnapshotTries); });
+  // A robot is drawn on the maps that it is in, which the catalogue tells.
+  if (!options_.raw && options_.wantsWhole() && options_.map && options_.map->kind != map::MapKind::Live &&
+      session_.robot().liveTopics() &&
+      std::any_of(options_.layers.begin(), options_.layers.end(),
+                  [](scene::Layer layer) { return scene::specOf(layer).follows_robot; }))
+    shot_.await(Awaited::Whereabouts,
+                [this] { return !session_.catalogue().loading() || sinceConnected() >= kTopicsWithinS; });
+  if (wantsWholeMap())
+    shot_.await(Awaited::WholeMap, [this] {
+      const bool with_points = options_.layers.contains(scene::Layer::Waypoints);
+      return map_.grid() && session_.wholeMap().settled() &&
+             !(with_points && session_.wholeMap().waypointsAwaited());
+    });
+  if (replayed_)
+    shot_.await(Awaited::Pictures,
+                [this] { return !session_.layerGrids().busy() && replayed_->picturesUnderWay() == 0; });
+  else
+    shot_.await(Awaited::Topics, [this] { return live_layers_.in() || sinceConnected() > kTopicsWithinS; });
+  if (wantsTrack())
+    shot_.await(Awaited::Track, [this] { return replayed_->reading()->chunks().wholeSettled(); });
+  if (wantsCloud()) shot_.await(Awaited::Cloud, [this] { return cloudIn(); });
 }
 
 bool SnapshotRun::topicsChoosable() {
@@ -238,15 +276,18 @@ bool SnapshotRun::recalled() {
       return false;
     }
     replayed_->reading()->setWhole(wantsTrack());
-    replayed_->goTo(*options_.at_s);
+    shot_.enter(Stage::Reading, seconds());
+    recall_->goTo(*options_.at_s);
   }
-  const replay::Cell* obstacle = replayed_->reading()->chunks().obstacleUntil(*options_.at_s);
-  if (obstacle && replay::isFinal(*obstacle) && (!recalled_ || obstacle->lost)) {
-    const QString sentence = QString::fromStdString(sentences::sentenceOf(obstacle->failure));
-    fail(exitCodeOf(obstacle->failure.kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
+  if (const auto failure = recall_->failure()) {
+    const QString sentence = QString::fromStdString(sentences::sentenceOf(*failure));
+    fail(exitCodeOf(failure->kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
     return false;
   }
-  return recalled_;
+  if (recall_->in()) {
+    for (const auto& [topic, stamp_s] : replayed_->topics()) live_layers_.hear(topic);
+  }
+  return recall_->in();
 }
 
 double SnapshotRun::listWithin() const {
@@ -267,6 +308,7 @@ bool SnapshotRun::wantsWholeInstead() {
 
 void SnapshotRun::useWholeInstead() {
   options_.mode = SnapshotMode::Whole;
+  ground_ = Ground::WholeInstead;
   whole_asked_s_ = sinceConnected();
   shown_instead_ =
       (session::listUnreadable(session_.problems())
@@ -280,53 +322,71 @@ void SnapshotRun::useWholeInstead() {
         Text::tr("The bag contains no submap list up to this time: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
+  awaitContent();
 }
 
 void SnapshotRun::look() {
-  if (done_ || chosen_ || !connected()) return;
-  if (region_) return lookAtRegion();
+  if (picture_ && !shot_.over() && shot_.cutOff(seconds())) {
+    shot_.add(Lack::TimeToDraw);
+    notes_.prepend(Text::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
+                       .arg(options_.timeout_s));
+    return write();
+  }
+  if (!shot_.waits()) return;
+  if (!connected()) {
+    if (shot_.waits() && shot_.timeUp(seconds())) fail(kUnreachable, noConnection());
+    return;
+  }
+  if (!(region_ ? stepRegion() : stepMap())) return;
+  const bool online = session_.connection().phase == robot::ConnectionPhase::Online;
+  const EndOfWaiting end = shot_.end(seconds(), online, [this] { return !region_ && somethingIn(); });
+  if (end == EndOfWaiting::TimeUp) notes_ << timeUpText() + whatOfTheLink();
+  if (end == EndOfWaiting::LinkLost) notes_ << Text::tr("Not everything had arrived.") + whatOfTheLink();
+  if (end != EndOfWaiting::None) return draw(end);
+  // Counting a hundred thousand submaps takes a moment, so do not do it every time.
+  if (region_ || seconds() - noted_s_ <= std::max(kNoteEveryS, 20 * note_took_s_)) return;
+  updateStanding();
+  reportProgress();
+}
+
+bool SnapshotRun::stepMap() {
   if (wantsWholeInstead()) useWholeInstead();
   // Do not wait for pictures that a bag names but the robot no longer has.
   const bool coming = replayed_ && replayed_->picturesUnderWay() > 0;
   const double waited_s = coming ? 0 : sinceConnected() - whole_asked_s_;
-  if (options_.wantsWhole() && !scans_alone_ && map_.look(waited_s) == MapRequest::State::Failed) {
-    if (!drawsScansAlone()) {
-      fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
-      return;
-    }
-    scans_alone_ = true;
-    notes_ << Text::tr("%1 The robot's sensor data is drawn without a map.").arg(map_.failure().sentence);
+  if (!wantsWholeMap() || map_.look(waited_s) != MapRequest::State::Failed) return true;
+  if (!drawsScansAlone()) {
+    fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
+    return false;
   }
-  if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
-    paint(true);
-  } else if (goneForGood() && somethingIn()) {
-    notes_ << Text::tr("Not everything had arrived.") + whatOfTheLink();
-    paint(false);
-  } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
-    // Counting a hundred thousand submaps takes a moment, so do not do it every time.
-    updateStanding();
-    reportProgress();
-  }
+  ground_ = Ground::ScansAlone;
+  awaitContent();
+  notes_ << Text::tr("%1 The robot's sensor data is drawn without a map.").arg(map_.failure().sentence);
+  return true;
 }
 
-void SnapshotRun::lookAtRegion() {
-  if (!region_->begun()) {
-    const auto failure = region_->begin(session_.robot(), sinceConnected(),
-                                        std::min(kOffersWithinS, options_.timeout_s / 2), [this] { look(); });
-    if (failure) fail(failure->exit_code, failure->sentence);
-    return;
-  }
+bool SnapshotRun::stepRegion() {
+  std::optional<CommandFailure> failure;
+  if (!region_->begun())
+    failure = region_->begin(session_.robot(), sinceConnected(),
+                             std::min(kOffersWithinS, options_.timeout_s / 2), [this] { look(); });
   const auto size = region_->size();
-  if (!size) return fail(size.error().exit_code, size.error().sentence);
+  if (!failure && !size) failure = size.error();
+  if (failure) {
+    fail(failure->exit_code, failure->sentence);
+    return false;
+  }
+  // Drawing takes a while, too: what has arrived by then is drawn within the remaining time.
   if (*size && !region_->over() && region_->anyCame()) {
-    // Drawing takes a while, too: what has arrived by then is drawn within the remaining time.
     const double draw_s = double((*size)->width()) * double((*size)->height()) / kPixelsDrawnInASecond;
     if (seconds() > options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw)) {
       notes_ << Text::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s);
-      return paint(false);
+      draw(EndOfWaiting::TimeUp);
     }
+  } else if (!shot_.missing()) {
+    draw(EndOfWaiting::AllHere);
   }
-  if (region_->over() && topicsIn() && cloudIn()) paint(true);
+  return shot_.waits();
 }
 
 void SnapshotRun::reportProgress() {
@@ -350,7 +410,7 @@ void SnapshotRun::reportProgress() {
 void SnapshotRun::updateStanding() {
   const double began_s = seconds();
   SnapshotStanding standing;
-  const bool connected = connected_s_ >= 0;
+  const bool connected = shot_.connected();
   standing.exit_code = connected ? kIncomplete : kUnreachable;
   standing.sentence =
       connected
@@ -371,24 +431,8 @@ bool SnapshotRun::wantsTrack() const {
   return replayed_ && !options_.raw && options_.layers.contains(scene::Layer::Track);
 }
 
-bool SnapshotRun::topicsIn() const {
-  if (replayed_)
-    return !session_.layerGrids().busy() && replayed_->picturesUnderWay() == 0 &&
-           (!wantsTrack() || replayed_->reading()->chunks().wholeSettled());
-  return live_layers_.in() || sinceConnected() > kTopicsWithinS;
-}
-
 bool SnapshotRun::lacksSubmaps() const {
-  return replayed_ && recalled_ && options_.wantsSubmaps() && !session_.world().submaps;
-}
-
-bool SnapshotRun::everythingIn() const {
-  if (options_.wantsSubmaps() && !lacksSubmaps() && !session_.settled(kSnapshotTries)) return false;
-  if (asks_where_ && session_.catalogue().loading() && sinceConnected() < kTopicsWithinS) return false;
-  if (!options_.wantsWhole() || scans_alone_) return true;
-  const bool points_in =
-      !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
-  return map_.grid() && session_.wholeMap().settled() && points_in;
+  return recall_ && recall_->in() && options_.wantsSubmaps() && !session_.world().submaps;
 }
 
 bool SnapshotRun::wantsCloud() const {
@@ -421,62 +465,36 @@ void SnapshotRun::askForCloud(const geometry::WorldRect& seen) {
 }
 
 bool SnapshotRun::cloudIn() {
-  if (!wantsCloud()) return true;
   askForCloud(options_.region ? *options_.region : chooseView().visibleWorld());
   return cloud_->came.has_value() || !cloud_->problem.isEmpty();
-}
-
-bool SnapshotRun::goneForGood() const {
-  if (options_.settle_s || session_.connection().phase == robot::ConnectionPhase::Online) return false;
-  return options_.timeout_s - seconds() < std::min(kDrawShare * options_.timeout_s, kDrawAtMostS);
 }
 
 bool SnapshotRun::somethingIn() const {
   return options_.wantsWhole() ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
 }
 
-void SnapshotRun::timeOut() {
-  if (done_) return;
-  if (connected_s_ < 0) {
-    fail(kUnreachable, noConnection());
-    return;
-  }
-  // Draws what has arrived, if that only takes a moment.
-  cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
-  if (chosen_) return;
+QString SnapshotRun::timeUpText() const {
   const bool no_list = options_.wantsSubmaps() && !session_.submaps().listReceived();
-  notes_ << (!no_list
-                 ? Text::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
-                       whatOfTheLink()
-                 : (session::listUnreadable(session_.problems())
-                        ? Text::tr("The robot sent no readable submap list within %1 s (--timeout). Pass "
-                                   "--mode whole to draw its whole map.")
-                        : Text::tr("The robot sent no submap list within %1 s (--timeout). Pass "
-                                   "--mode whole to draw its whole map."))
-                           .arg(options_.timeout_s) +
-                       whatOfTheLink());
-  paint(false);
-}
-
-void SnapshotRun::cutOff() {
-  if (done_) return;
-  complete_ = false;
-  notes_.prepend(Text::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
-                     .arg(options_.timeout_s));
-  write();
+  const QString text = !no_list ? Text::tr("Not everything had arrived within %1 s (--timeout).")
+                       : session::listUnreadable(session_.problems())
+                           ? Text::tr(
+                                 "The robot sent no readable submap list within %1 s (--timeout). Pass "
+                                 "--mode whole to draw its whole map.")
+                           : Text::tr(
+                                 "The robot sent no submap list within %1 s (--timeout). Pass "
+                                 "--mode whole to draw its whole map.");
+  return text.arg(options_.timeout_s);
 }
 
 void SnapshotRun::fail(int exit_code, const QString& sentence) {
+  if (shot_.over()) return;
   error_ = sentence;
-  complete_ = false;
+  shot_.enter(Stage::Failed, seconds());
   finish(exit_code);
 }
 
 void SnapshotRun::finish(int exit_code) {
-  if (done_) return;
-  done_ = true;
-  for (QTimer* timer : {&poll_, &timeout_, &cut_off_, &settle_}) timer->stop();
-  complete_s_ = seconds();
+  timer_.stop();
   Q_EMIT finished(exit_code);
 }
 
@@ -512,22 +530,44 @@ geometry::ViewTransform SnapshotRun::chooseView() const {
   return view;
 }
 
-SnapshotContent SnapshotRun::chooseContent() const {
-  SnapshotContent content;
-  content.view = view_;
-  content.submaps = options_.wantsSubmaps();
-  content.whole = options_.raw ? options_.mode == SnapshotMode::Whole : wholeGrid().has_value();
-  if (!options_.raw || region_) return content;
-  if (content.whole) {
-    content.grid = map_.grid();
-    return content;
+shot::Look SnapshotRun::shown() const {
+  shot::Look look;
+  look.view = view_;
+  look.layers = options_.layers;
+  for (const auto& [layer, drawn] : {std::pair(scene::Layer::Submaps, options_.wantsSubmaps()),
+                                     std::pair(scene::Layer::WholeMap, options_.wantsWhole())}) {
+    if (drawn) look.layers.insert(layer);
+    if (!drawn) look.layers.erase(layer);
   }
-  for (const auto& [id, row] : session_.submaps().rows()) {
-    if (const auto placement = session_.submaps().placement(id, options_.slice)) {
-      content.textures.push_back({id, placement->texture, placement->world_from_texture, 0});
+  look.dark = options_.dark;
+  look.colors = options_.colors;
+  // A submap without the chosen slice is complete: its picture stays the same unless the marks are asked for.
+  look.slices_marked = options_.named.contains(scene::Layer::Problems);
+  look.robot_anyway = options_.robot_anyway;
+  return look;
+}
+
+std::unique_ptr<shot::Picture> SnapshotRun::makePicture(std::shared_ptr<const scene::Track> track) {
+  if (!options_.raw) {
+    shot::Look look = shown();
+    if (!wholeGrid()) look.layers.erase(scene::Layer::WholeMap);
+    look.layers.erase(scene::Layer::Regions);
+    if (region_) look.layers.insert(scene::Layer::Regions);
+    if (region_) look.regions = region_->still();
+    look.track = std::move(track);
+    if (wantsCloud() && cloud_) look.cloud = cloud_->came;
+    return std::make_unique<shot::ScenePicture>(std::move(look), session_, workers_);
+  }
+  const bool whole = region_ || options_.mode == SnapshotMode::Whole;
+  shot::RawContent content = shot::rawContent(session_, view_, whole);
+  if (whole) content.grid = wholeGrid();
+  if (region_) {
+    if (const auto missing = region_->putInto(content)) {
+      shot_.add(Lack::Region);
+      notes_ << *missing;
     }
   }
-  return content;
+  return shot::makeRawPicture(std::move(content), workers_);
 }
 
 bool SnapshotRun::waypointsLost() const {
@@ -547,8 +587,10 @@ bool SnapshotRun::overlaysLost() const {
                      [](const map::Problem& note) { return note.code == map::ProblemCode::Unreadable; });
 }
 
-void SnapshotRun::paint(bool settled) {
-  if (done_ || chosen_) return;
+void SnapshotRun::draw(EndOfWaiting why) {
+  const bool settled =
+      why == EndOfWaiting::AllHere ||
+      (why == EndOfWaiting::Collected && (!options_.wantsSubmaps() || session_.settled(kSnapshotTries)));
   if (region_) {
     const auto notes = region_->notes(whatOfTheLink());
     if (!notes) return fail(notes.error().exit_code, notes.error().sentence);
@@ -556,7 +598,7 @@ void SnapshotRun::paint(bool settled) {
     options_.size_px = **region_->size();
     notes_ += *notes;
   }
-  if (!region_ && options_.mode == SnapshotMode::Whole && !map_.grid() && !scans_alone_) {
+  if (!region_ && options_.mode == SnapshotMode::Whole && wantsWholeMap() && !map_.grid()) {
     const QString which = options_.map
                               ? Text::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
                               : Text::tr("its map");
@@ -568,8 +610,7 @@ void SnapshotRun::paint(bool settled) {
              (QStringList(QString()) + map_.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
     return;
   }
-  poll_.stop();
-  settle_.stop();
+  shot_.enter(Stage::Drawing, seconds());
   // Drawing takes a while. Messages that arrive meanwhile must change neither the picture nor the report.
   session_.standStill();
   // Closing drops everything read from a bag.
@@ -585,15 +626,16 @@ void SnapshotRun::paint(bool settled) {
   if (const auto grid = wholeGrid()) {
     chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
   }
-  complete_ = settled &&
-              (!options_.wantsSubmaps() || session::submapsComplete(chosen_->counts, session_.problems())) &&
-              (!options_.wantsWhole() || scans_alone_ || map_.complete()) && !waypointsLost() &&
-              !overlaysLost() && (!region_ || region_->complete()) &&
-              (!wantsCloud() || (cloud_ && cloud_->came)) && bagLosses(session_.problems()).isEmpty();
-  if (!holes.empty()) {
-    complete_ = false;
-    notes_ << sentences::sentenceOf(replay::faultOf(holes));
-  }
+  shot_.addIf(!settled, Lack::NotSettled);
+  shot_.addIf(options_.wantsSubmaps() && !session::submapsComplete(chosen_->counts, session_.problems()),
+              Lack::Submaps);
+  shot_.addIf(wantsWholeMap() && !map_.complete(), Lack::WholeMap);
+  shot_.addIf(waypointsLost(), Lack::Waypoints);
+  shot_.addIf(overlaysLost(), Lack::Overlays);
+  shot_.addIf(region_ && !region_->complete(), Lack::Region);
+  shot_.addIf(wantsCloud() && !(cloud_ && cloud_->came), Lack::Cloud);
+  shot_.addIf(!holes.empty() || !bagLosses(session_.problems()).isEmpty(), Lack::PartsOfBag);
+  if (!holes.empty()) notes_ << sentences::sentenceOf(replay::faultOf(holes));
   // Also printed to standard error although nothing is missing.
   const auto say = [this](const QString& note) {
     notes_ << note;
@@ -628,20 +670,11 @@ void SnapshotRun::paint(bool settled) {
   view_ = chooseView();
   updateStanding();
   Q_EMIT contentChosen();
-  SnapshotContent content = chooseContent();
-  if (region_) {
-    if (const auto missing = region_->putInto(content, options_.raw)) {
-      complete_ = false;
-      notes_ << *missing;
-    }
-  }
-  if (wantsCloud() && cloud_) content.cloud = cloud_->came;
-  content.track = track;
-  picture_ = options_.raw ? makeRawPicture(content, workers_)
-                          : makeScenePicture(options_, session_, content, workers_);
-  connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
+  picture_ = makePicture(track);
+  connect(picture_.get(), &shot::Picture::finished, this, &SnapshotRun::write);
   picture_->start();
-  notes_ += picture_->notes();
+  if (const auto* const drawn = dynamic_cast<const shot::ScenePicture*>(picture_.get()))
+    notes_ += robotNotes(drawn->scene(), session_);
 }
 
 /// What lacks its transform is not where it belongs: nowhere.
@@ -653,7 +686,7 @@ void SnapshotRun::reportUnplaced() {
                        nullptr, count)
                   .arg(QString::number(count), topic);
   }
-  complete_ = complete_ && topics.isEmpty();
+  shot_.addIf(!topics.isEmpty(), Lack::Placement);
 }
 
 void SnapshotRun::checkChosenTopics() {
@@ -665,31 +698,28 @@ void SnapshotRun::checkChosenTopics() {
     if (fitting.isEmpty()) fitting = Text::tr("none");
     notes_ << Text::tr("Topic %1 does not exist or its type does not fit the layer. Topics that fit: %2.")
                   .arg(topic, fitting);
-    complete_ = false;
+    shot_.add(Lack::Topic);
   }
 }
 
 void SnapshotRun::write() {
-  if (done_) return;
+  if (shot_.over()) return;
   made_ = picture_->made();
   if (const auto grid = wholeGrid(); grid && grid->cells->trouble().any()) {
-    complete_ = false;
+    shot_.add(Lack::Cells);
     notes_.prepend(sentences::wordsOf(grid->cells->trouble()));
   }
   if (session_.lostPictures() > 0) {
-    complete_ = false;
+    shot_.add(Lack::Cells);
     notes_.prepend(
         Text::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
                  int(session_.lostPictures()))
             .arg(session_.lostPictures()));
   }
-  if (const auto why = overItsSource()) {
-    fail(kUsage, *why);
-  } else if (const auto error = picture_->write(options_.output)) {
-    fail(kUsage, *error);
-  } else {
-    finish(complete_ ? kDone : chosen_->refused ? exitCodeOf(map::FailureKind::Refused) : kIncomplete);
-  }
+  if (const auto why = overItsSource()) return fail(kUsage, *why);
+  if (const auto fault = picture_->write(options_.output)) return fail(kUsage, sentences::wordsOf(*fault));
+  shot_.enter(Stage::Done, seconds());
+  finish(shot_.complete() ? kDone : chosen_->refused ? exitCodeOf(map::FailureKind::Refused) : kIncomplete);
 }
 
 std::optional<QString> SnapshotRun::overItsSource() const {
@@ -709,15 +739,18 @@ QStringList SnapshotRun::warnings() const {
 QJsonObject SnapshotRun::report() const {
   const session::SubmapCounts counts = chosen_ ? chosen_->counts : session_.counts();
   QJsonObject report{
-      {QStringLiteral("complete"), complete_},
+      {QStringLiteral("complete"), shot_.complete()},
       {QStringLiteral("mode"),
        options_.mode == SnapshotMode::Whole ? QStringLiteral("whole") : QStringLiteral("submaps")},
       {QStringLiteral("uuid"), QString::fromStdString(session_.submaps().uuid())},
       {QStringLiteral("submaps"), submapsJson(counts)},
       {QStringLiteral("painted"), toThousandths(made_)},
-      {QStringLiteral("seconds"), QJsonObject{{QStringLiteral("connect"), secondsOrNull(connected_s_)},
-                                              {QStringLiteral("first_paint"), secondsOrNull(first_paint_s_)},
-                                              {QStringLiteral("complete"), secondsOrNull(complete_s_)}}},
+      {QStringLiteral("seconds"),
+       QJsonObject{{QStringLiteral("connect"), secondsOrNull(shot_.enteredAt(Stage::Settling))},
+                   {QStringLiteral("first_paint"),
+                    secondsOrNull(first_paint_s_ < 0 ? std::nullopt : std::optional(first_paint_s_))},
+                   {QStringLiteral("complete"),
+                    secondsOrNull(shot_.over() ? shot_.enteredAt(shot_.stage()) : std::nullopt)}}},
       {QStringLiteral("view"),
        QJsonObject{{QStringLiteral("center"), QJsonArray{view_.center_m.x(), view_.center_m.y()}},
                    {QStringLiteral("scale"), view_.scale_m_per_px},

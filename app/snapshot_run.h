@@ -11,12 +11,14 @@
 #include <QTimer>
 
 #include "app/deadline.h"
-#include "app/layer_subscription.h"
 #include "app/map_request.h"
 #include "app/snapshot.h"
-#include "app/snapshot_picture.h"
 #include "app/snapshot_region.h"
 #include "session/session.h"
+#include "shot/layer_subscription.h"
+#include "shot/map_shot.h"
+#include "shot/picture.h"
+#include "shot/recall.h"
 #include "work/workers.h"
 
 namespace mapwright::replay {
@@ -66,6 +68,8 @@ class SnapshotRun : public QObject {
   const SnapshotOptions& options() const { return options_; }
   /// Of the picture, once it is complete.
   const geometry::ViewTransform& view() const { return view_; }
+  /// What it was to show, with the maps.
+  shot::Look shown() const;
   /// What the picture is made from; it stands still once contentChosen().
   const session::Session& session() const { return session_; }
   /// A sentence if the picture or the report would replace a file that the map is read from.
@@ -92,13 +96,19 @@ class SnapshotRun : public QObject {
     std::optional<clouds::CloudPiece> came;
     QString problem;  // why it cannot be loaded, as a sentence; empty = nothing is known to be wrong
   };
+  /// What is drawn when the user has not chosen it.
+  enum class Ground { AsAsked, WholeInstead, ScansAlone };
 
   void look();  // checks whether it is time for the next step; call it whenever something may have changed
-  void lookAtRegion();
+  void lookAndWait();
   bool connected();
   /// For a bag: the state at its time has been applied.
   bool recalled();
   bool topicsChoosable();
+  void awaitContent();
+  /// Take the next step for what is drawn; false: it is decided.
+  bool stepMap();
+  bool stepRegion();
   void checkChosenTopics();
   void reportUnplaced();
   /// There is no map, but sensor data to show.
@@ -108,18 +118,18 @@ class SnapshotRun : public QObject {
   void useWholeInstead();
   void reportProgress();
   void updateStanding();
-  void timeOut();
-  void cutOff();
-  void paint(bool settled);
+  void draw(shot::EndOfWaiting why);
   void write();
+  QString timeUpText() const;
   QString noConnection() const;
   /// A sentence about a lost connection, after a blank; empty while connected.
   QString whatOfTheLink() const;
   /// The requested view, or all that has been received so far.
   geometry::ViewTransform chooseView() const;
-  SnapshotContent chooseContent() const;
+  std::unique_ptr<shot::Picture> makePicture(std::shared_ptr<const scene::Track> track);
   /// The cells of the whole map, if it is drawn.
   std::optional<render::PlacedGrid> wholeGrid() const;
+  bool wantsWholeMap() const { return options_.wantsWhole() && ground_ != Ground::ScansAlone; }
   /// Waypoints should be drawn but could not be loaded.
   bool waypointsLost() const;
   /// Overlays should be drawn but cannot be read.
@@ -128,18 +138,14 @@ class SnapshotRun : public QObject {
   bool wantsTrack() const;  // of a whole bag
   bool wantsCloud() const;
   void askForCloud(const geometry::WorldRect& seen);
-  bool topicsIn() const;
   bool lacksSubmaps() const;  // a bag that contains no submap list up to its time: none will arrive
-  bool everythingIn() const;
-  /// Requests the cloud of what is drawn, if that is wanted and the area is known.
+  /// Requests the cloud of what is drawn: the area is known.
   bool cloudIn();
   bool somethingIn() const;
-  /// The connection is lost, and it is time to draw what has arrived.
-  bool goneForGood() const;
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
   double seconds() const;
-  double sinceConnected() const { return seconds() - connected_s_; }
+  double sinceConnected() const { return shot_.sinceConnected(seconds()); }
   /// How long to wait for a submap list if a whole map can be drawn instead.
   double listWithin() const;
 
@@ -148,23 +154,22 @@ class SnapshotRun : public QObject {
   std::shared_ptr<work::Workers> workers_;
   session::Session session_;
   MapRequest map_;
-  LayerSubscription live_layers_;
-  bool scans_alone_ = false;
+  shot::LayerSubscription live_layers_;
+  CommandStart start_;
+  shot::MapShot shot_;
+  Ground ground_ = Ground::AsAsked;
   std::shared_ptr<Cloud> cloud_;             // null = not asked for
   replay::ReplayRobot* replayed_ = nullptr;  // null = a live robot
-  bool recalled_ = false;
+  std::optional<shot::Recall> recall_;       // of a bag
   std::optional<RegionSnapshot> region_;
   std::optional<Choice> chosen_;
-  std::unique_ptr<SnapshotPicture> picture_;
+  std::unique_ptr<shot::Picture> picture_;
   std::shared_ptr<SnapshotBoard> board_ = std::make_shared<SnapshotBoard>();
-  CommandStart start_;
-  QTimer timeout_, cut_off_, settle_, poll_;
+  QTimer timer_;
   geometry::ViewTransform view_;
-  double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1, noted_s_ = -1, note_took_s_ = 0;
+  double first_paint_s_ = -1, noted_s_ = -1, note_took_s_ = 0;
   double whole_asked_s_ = 0;  // when the whole map was asked for, after connecting
   double made_ = 0;           // which share of the picture has been drawn
-  bool done_ = false, complete_ = false;
-  bool asks_where_ = false;  // checks whether the robot is in the map that is drawn
   QString error_;
   QString shown_instead_;
   QStringList notes_;

@@ -15,12 +15,12 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "app/suite_drawing.h"
-#include "app/view_facts.h"
 #include "compare/difference_picture.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "shot/view_facts.h"
 #include "suite/judgement.h"
 #include "suite/junit.h"
 #include "suite/outcome.h"
@@ -250,7 +250,7 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     return outcome;
   }
   outcome.actual = actual;
-  suite::Facts facts = factsOf(*drawn.run);
+  suite::Facts facts = shot::factsOf(drawn.run->shown(), drawn.run->session());
   facts.picture = suite::sumOf(actual);
   const auto not_kept = writeFacts(suite::factsBeside(actual), facts);
   if (verdict.verdict == Verdict::Differs) {
@@ -356,7 +356,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
       return Text::tr("%1: nothing accepted. %2").arg(name, sentence);
     };
     if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
-    suite::Facts facts = factsOf(*drawn.run);
+    suite::Facts facts = shot::factsOf(drawn.run->shown(), drawn.run->session());
     const QString picture = plan.expectedPicture(view);
     const Judgement verdict = judged(plan, view);
     if (verdict.verdict == Verdict::AsExpected) {

@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "../session/fake_robot.h"
-#include "app/layer_subscription.h"
 #include "robot/offers_topics.h"
+#include "shot/layer_subscription.h"
 #include "test_program.h"
 
 namespace test_layer_subscription {
@@ -42,7 +42,7 @@ class LayerSubscriptionTest : public QObject {
  private:
   TellingRobot* robot_ = nullptr;
   std::unique_ptr<session::Session> session_;
-  std::unique_ptr<app::LayerSubscription> layers_;
+  std::unique_ptr<shot::LayerSubscription> layers_;
 
   std::string topicOf(map::Stream stream) const { return robot_->topicsOf(stream).first().toStdString(); }
 
@@ -53,7 +53,7 @@ class LayerSubscriptionTest : public QObject {
     robot_ = robot.get();
     robot_->has_topics = true;
     session_ = std::make_unique<session::Session>(std::move(robot), session::Session::Options{});
-    layers_ = std::make_unique<app::LayerSubscription>(*session_);
+    layers_ = std::make_unique<shot::LayerSubscription>(*session_);
     robot_->setPhase(robot::ConnectionPhase::Online);
   }
   void cleanupTestCase() { layers_.reset(); }

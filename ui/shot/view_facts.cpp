@@ -1,4 +1,4 @@
-#include "app/view_facts.h"
+#include "shot/view_facts.h"
 
 #include <QCryptographicHash>
 
@@ -6,7 +6,7 @@
 #include "replay/replay_robot.h"
 #include "scene/layer.h"
 
-namespace mapwright::app {
+namespace mapwright::shot {
 namespace {
 
 /// Larger ones take more than a moment.
@@ -63,23 +63,18 @@ void addSubmaps(const session::Session& session, suite::Facts& facts) {
 
 }  // namespace
 
-suite::Facts factsOf(const SnapshotRun& run) {
+suite::Facts factsOf(const Look& look, const session::Session& session) {
   using scene::Layer;
-  const SnapshotOptions& options = run.options();
-  const session::Session& session = run.session();
-  const auto draws = [&](Layer layer) { return options.layers.contains(layer); };
+  const auto draws = [&](Layer layer) { return look.layers.contains(layer); };
   suite::Facts facts;
-  facts.view = run.view();
-  facts.theme = options.dark ? "dark" : "light";
+  facts.view = look.view;
+  facts.theme = look.dark ? "dark" : "light";
   for (const Layer layer : scene::allLayers()) {
-    const bool is_drawn = layer == Layer::WholeMap  ? options.wantsWhole()
-                          : layer == Layer::Submaps ? options.wantsSubmaps()
-                                                    : draws(layer);
-    if (is_drawn) facts.layers.push_back(scene::layerName(layer).toStdString());
+    if (draws(layer)) facts.layers.push_back(scene::layerName(layer).toStdString());
   }
-  const bool whole = options.wantsWhole() && session.wholeMap().cells();
+  const bool whole = draws(Layer::WholeMap) && session.wholeMap().cells();
   if (whole) addMap(session, draws(Layer::Overlays), facts);
-  if (options.wantsSubmaps()) addSubmaps(session, facts);
+  if (draws(Layer::Submaps)) addSubmaps(session, facts);
   const auto& info = session.live().map_info;
   if (draws(Layer::Overlays) && facts.overlays.empty() && info)
     facts.overlays = suite::overlaysText(info->overlays);
@@ -94,4 +89,4 @@ suite::Facts factsOf(const SnapshotRun& run) {
   return facts;
 }
 
-}  // namespace mapwright::app
+}  // namespace mapwright::shot

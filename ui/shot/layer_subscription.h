@@ -13,7 +13,7 @@
 #include "scene/layer.h"
 #include "session/session.h"
 
-namespace mapwright::app {
+namespace mapwright::shot {
 
 class LayerSubscription : public QObject {
   Q_OBJECT
@@ -49,4 +49,4 @@ class LayerSubscription : public QObject {
   std::map<map::GridKind, map::Stream> pictures_;  // streams that are pictures
 };
 
-}  // namespace mapwright::app
+}  // namespace mapwright::shot

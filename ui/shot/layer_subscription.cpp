@@ -1,11 +1,11 @@
-#include "app/layer_subscription.h"
+#include "shot/layer_subscription.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include "robot/offers_topics.h"
 
-namespace mapwright::app {
+namespace mapwright::shot {
 
 using scene::Layer;
 
@@ -43,7 +43,7 @@ void LayerSubscription::ask(const std::set<Layer>& layers, bool live_map) {
     waiting_.merge(always_on);
   }
   if (live_map) all.merge(scene::layerStreams(Layer::WholeMap));
-  session_.want(QStringLiteral("command"), all);
+  session_.want(QStringLiteral("shot"), all);
 }
 
 QStringList LayerSubscription::topicsOf(map::Stream stream) const {
@@ -115,6 +115,6 @@ QStringList LayerSubscription::silent() const {
   return silent;
 }
 
-}  // namespace mapwright::app
+}  // namespace mapwright::shot
 
 #include "moc_layer_subscription.cpp"

@@ -1,0 +1,13 @@
+// The facts that made a picture.
+#pragma once
+
+#include "session/session.h"
+#include "shot/picture.h"
+#include "suite/facts.h"
+
+namespace mapwright::shot {
+
+/// Of what `look` shows of `session` at present.
+suite::Facts factsOf(const Look& look, const session::Session& session);
+
+}  // namespace mapwright::shot
