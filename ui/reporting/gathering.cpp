@@ -7,10 +7,8 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QImage>
-#include <QPainter>
 
 #include "robot/sends_map.h"
-#include "scene/map_theme.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -22,6 +20,8 @@ namespace {
 
 using incident::remainingWay;
 using incident::utcText;
+using shot::Awaited;
+using shot::Stage;
 
 class GatheringText {
   Q_DECLARE_TR_FUNCTIONS(Incident)
@@ -40,8 +40,7 @@ session::Session::Options optionsOf(std::shared_ptr<work::Workers> workers) {
   return options;
 }
 
-std::unique_ptr<replay::ReplayRobot> replayOf(std::unique_ptr<robot::Robot> origin,
-                                              const Gathering::Wanted& wanted) {
+std::unique_ptr<replay::ReplayRobot> replayOf(std::unique_ptr<robot::Robot> origin, const Wanted& wanted) {
   return wanted.any_kind ? std::make_unique<replay::ReplayRobot>(std::move(origin), wanted.bag.name)
                          : std::make_unique<replay::ReplayRobot>(std::move(origin), wanted.bag);
 }
@@ -62,14 +61,9 @@ Gathering::Gathering(std::unique_ptr<robot::Robot> origin, Wanted wanted,
       wanted_(std::move(wanted)),
       workers_(std::move(workers)),
       session_(replayOf(std::move(origin), wanted_), optionsOf(workers_)),
-      replayed_(qobject_cast<replay::ReplayRobot*>(&session_.robot())) {
+      replayed_(qobject_cast<replay::ReplayRobot*>(&session_.robot())),
+      recall_(session_, *replayed_) {
   run_.name = wanted_.bag.name;
-  connect(replayed_, &replay::ReplayRobot::jumped, this,
-          [this](const map::World& world, replay::Knowledge knowledge) {
-            if (recalled_ || knowledge != replay::Knowledge::Exact) return;
-            recalled_ = true;
-            session_.reset(world);
-          });
   map::Streams streams;
   for (const scene::Layer layer : scene::layersIn(scene::LayerSet::Report))
     streams.merge(scene::layerStreams(layer));
@@ -87,11 +81,12 @@ void Gathering::start() {
 void Gathering::fail(const QString& sentence, map::FailureKind kind) {
   error_ = sentence;
   failure_ = kind;
-  end();
+  end(Stage::Failed);
 }
 
-void Gathering::end() {
-  if (std::exchange(ended_, true)) return;
+void Gathering::end(Stage stage) {
+  if (shot_.over()) return;
+  shot_.enter(stage);
   poll_.stop();
   Q_EMIT ended();
 }
@@ -101,7 +96,7 @@ bool Gathering::opened() {
   if (link.phase == robot::ConnectionPhase::Refused)
     fail(QStringLiteral("%1: %2").arg(words::plainName(wanted_.bag.name), sentences::sentenceOf(link.reason)),
          link.failure);
-  if (ended_ || link.phase != robot::ConnectionPhase::Online) return false;
+  if (shot_.over() || link.phase != robot::ConnectionPhase::Online) return false;
   if (replayed_->at() || minute_) return true;
   const robot::BagInfo& info = *replayed_->reading()->info();
   run_.info = info;
@@ -120,7 +115,7 @@ bool Gathering::momentChosen() {
     const replay::Cell* const obstacle = reading.chunks().obstacleUntil(HUGE_VAL);
     if (obstacle && replay::isFinal(*obstacle))
       fail(QString::fromStdString(sentences::sentenceOf(obstacle->failure)), obstacle->failure.kind);
-    if (ended_ || !reading.chunks().wholeSettled()) return false;
+    if (shot_.over() || !reading.chunks().wholeSettled()) return false;
     double least_m = std::numeric_limits<double>::infinity();
     for (const auto& [from, digest] : reading.index().digests()) {
       for (const replay::Digest::Pose& pose : digest.poses) {
@@ -139,23 +134,27 @@ bool Gathering::momentChosen() {
   }
   run_.at_s = *wanted_.at_s;
   minute_.emplace(run_.at_s);
-  replayed_->goTo(run_.at_s);
+  shot_.enter(Stage::Reading);
+  recall_.goTo(run_.at_s);
   return true;
 }
 
 void Gathering::look() {
-  if (ended_ || scene_ || !opened() || !momentChosen()) return;
-  replay::Reading& reading = *replayed_->reading();
-  const replay::Cell* const obstacle = reading.chunks().obstacleUntil(run_.at_s);
-  if (obstacle && replay::isFinal(*obstacle) && (!recalled_ || obstacle->lost))
-    return fail(QString::fromStdString(sentences::sentenceOf(obstacle->failure)), obstacle->failure.kind);
-  if (!recalled_) {
+  if (!shot_.waits() || !opened() || !momentChosen()) return;
+  if (const auto failure = recall_.failure())
+    return fail(QString::fromStdString(sentences::sentenceOf(*failure)), failure->kind);
+  if (!recall_.in()) {
     const auto all = double(std::max<std::int64_t>(run_.info.messages.value_or(1), 1));
-    Q_EMIT progressed(std::min(1.0, double(reading.chunks().messagesRead()) / all));
+    Q_EMIT progressed(std::min(1.0, double(replayed_->reading()->chunks().messagesRead()) / all));
     return;
   }
-  if (!std::exchange(map_asked_, true)) openMap();
-  if (minuteRead() && mapIn()) draw();
+  if (!shot_.connected()) {
+    shot_.enter(Stage::Settling);
+    openMap();
+    shot_.await(Awaited::Messages, [this] { return minuteRead(); });
+    shot_.await(Awaited::WholeMap, [this] { return mapIn(); });
+  }
+  if (!shot_.missing()) draw();
 }
 
 bool Gathering::minuteRead() {
@@ -309,42 +308,34 @@ geometry::ViewTransform Gathering::chosenView() const {
 }
 
 void Gathering::draw() {
+  shot_.enter(Stage::Drawing);
   view_ = chosenView();
   onState();
   // Drawing takes a while. Nothing may change meanwhile.
   session_.standStill();
   session_.close();
   const bool whole = session_.wholeMap().cells() != nullptr;
-  if (!whole && !session_.world().submaps && !run_.live.robot_pose) return end();
-  render::TileRenderer::Options options;
-  options.workers = workers_;
-  options.previews = false;
-  scene_ = std::make_unique<scene::MapScene>(std::move(options));
-  scene_->setTheme(scene::lightMapTheme());
-  std::set<scene::Layer> layers = scene::layersIn(scene::LayerSet::Report);
-  if (whole) layers.insert(scene::Layer::WholeMap);
-  if (session_.world().submaps) layers.insert(scene::Layer::Submaps);
-  scene_->setLayersVisible(layers);
-  scene_->setView(view_);
-  scene_->setSession(&session_);
-  connect(scene_.get(), &scene::MapScene::tilesSettled, this, &Gathering::lookAtPicture);
-  QTimer::singleShot(0, this, &Gathering::lookAtPicture);
+  if (!whole && !session_.world().submaps && !run_.live.robot_pose) return end(Stage::Done);
+  shot::Look look;
+  look.view = view_;
+  look.layers = scene::layersIn(scene::LayerSet::Report);
+  if (whole) look.layers.insert(scene::Layer::WholeMap);
+  if (session_.world().submaps) look.layers.insert(scene::Layer::Submaps);
+  picture_ = std::make_unique<shot::ScenePicture>(std::move(look), session_, workers_);
+  connect(picture_.get(), &shot::Picture::finished, this, &Gathering::onPicture);
+  picture_->start();
 }
 
-void Gathering::lookAtPicture() {
-  if (ended_ || !scene_->picturesSettled()) return;
-  QImage image(view_.width_px, view_.height_px, QImage::Format_RGB32);
+void Gathering::onPicture() {
+  if (shot_.over()) return;
+  QImage image = picture_->image();
   image.setDotsPerMeterX(int(kDotsPerMeter));
   image.setDotsPerMeterY(int(kDotsPerMeter));
-  QPainter painter(&image);
-  const QRectF whole(image.rect());
-  scene_->render(&painter, whole, whole);
-  painter.end();
   QBuffer buffer(&run_.picture);
   buffer.open(QIODevice::WriteOnly);
   image.save(&buffer, "PNG");
   run_.picture_px = image.size();
-  end();
+  end(Stage::Done);
 }
 
 }  // namespace mapwright::reporting

@@ -14,23 +14,26 @@
 #include "incident/report.h"
 #include "map/failure.h"
 #include "replay/replay_robot.h"
-#include "scene/map_scene.h"
 #include "session/session.h"
+#include "shot/map_shot.h"
+#include "shot/picture.h"
+#include "shot/recall.h"
 #include "work/workers.h"
 
 namespace mapwright::reporting {
 
+struct Wanted {
+  robot::BagKey bag = {};
+  bool any_kind = false;                             // only its name is known
+  std::optional<double> at_s = {};                   // the moment; else when the robot was nearest to:
+  std::optional<Eigen::Vector2d> near_m = {};        // world metres
+  std::optional<geometry::ViewTransform> view = {};  // of the picture; nullopt: around the robot
+  QSize picture_px = {1000, 700};
+};
+
 class Gathering : public QObject {
   Q_OBJECT
  public:
-  struct Wanted {
-    robot::BagKey bag = {};
-    bool any_kind = false;                             // only its name is known
-    std::optional<double> at_s = {};                   // the moment; else when the robot was nearest to:
-    std::optional<Eigen::Vector2d> near_m = {};        // world metres
-    std::optional<geometry::ViewTransform> view = {};  // of the picture; nullopt: around the robot
-    QSize picture_px = {1000, 700};
-  };
   /// `origin` is not connected.
   Gathering(std::unique_ptr<robot::Robot> origin, Wanted wanted, std::shared_ptr<work::Workers> workers,
             QObject* parent = nullptr);
@@ -61,21 +64,22 @@ class Gathering : public QObject {
   void onState();
   geometry::ViewTransform chosenView() const;
   void draw();
-  void lookAtPicture();
+  void onPicture();
   void fail(const QString& sentence, map::FailureKind kind);
-  void end();
+  void end(shot::Stage stage);
 
   Wanted wanted_;
   std::shared_ptr<work::Workers> workers_;
   session::Session session_;
   replay::ReplayRobot* replayed_;
-  std::unique_ptr<scene::MapScene> scene_;
+  shot::MapShot shot_;
+  shot::Recall recall_;
+  std::unique_ptr<shot::ScenePicture> picture_;
   QTimer poll_;
   incident::Run run_;
   std::optional<incident::Minute> minute_;
   std::optional<std::set<replay::Tick>> awaited_;  // ranges whose messages are still needed
   geometry::ViewTransform view_;
-  bool recalled_ = false, map_asked_ = false, ended_ = false;
   QString error_;
   map::FailureKind failure_ = map::FailureKind::None;
 };

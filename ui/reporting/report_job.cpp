@@ -7,6 +7,7 @@
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
+#include "reporting/gathering.h"
 #include "sentences/fault_sentence.h"
 
 namespace mapwright::reporting {
@@ -36,7 +37,7 @@ void ReportJob::fail(const QString& sentence, map::FailureKind kind) {
   Q_EMIT ended();
 }
 
-void ReportJob::gather(const ReportOrder::Part& part, Gathering::Wanted wanted) {
+void ReportJob::gather(const ReportOrder::Part& part, Wanted wanted) {
   auto robot = part.robot();
   if (!robot) return fail(robot.error());
   wanted.bag = part.bag;
@@ -62,7 +63,7 @@ void ReportJob::onRun() {
   }
   report_.run = std::move(run);
   if (!order_.against) return write();
-  Gathering::Wanted wanted{.at_s = order_.against->at_s, .near_m = placeOf(report_.run)};
+  Wanted wanted{.at_s = order_.against->at_s, .near_m = placeOf(report_.run)};
   if (!wanted.at_s && !wanted.near_m)
     return fail(QCoreApplication::translate("Incident",
                                             "The position at this time is unknown, so the same place cannot "

@@ -11,9 +11,15 @@
 #include <tl/expected.hpp>
 
 #include "incident/report.h"
-#include "reporting/gathering.h"
+#include "map/failure.h"
+#include "robot/bag_library.h"
+#include "robot/robot.h"
+#include "work/workers.h"
 
 namespace mapwright::reporting {
+
+class Gathering;
+struct Wanted;
 
 struct ReportOrder {
   struct Part {
@@ -47,7 +53,7 @@ class ReportJob : public QObject {
   void ended();
 
  private:
-  void gather(const ReportOrder::Part& part, Gathering::Wanted wanted);
+  void gather(const ReportOrder::Part& part, Wanted wanted);
   void onRun();
   void write();
   void fail(const QString& sentence, map::FailureKind kind = map::FailureKind::None);
