@@ -17,6 +17,8 @@ class PictureReading {
   /// The error names the file.
   static tl::expected<PictureReading, Fault> open(const std::string& path);
   PictureSize size() const { return {rows_->format().width, rows_->format().height}; }
+  /// Gray and transparency, as "snapshot --raw" writes it.
+  bool isRaw() const { return !rows_->format().indexed && rows_->format().channels == 2; }
   /// The next row from the top, width() colours, valid until the next call; null: see problem().
   const grids::Argb* next() {
     return nextRow(row_, [this](auto* pixel) { return colours_.at(pixel); });

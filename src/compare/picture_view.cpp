@@ -69,14 +69,6 @@ std::optional<geometry::ViewTransform> viewBeside(const QString& picture, Pictur
   return std::nullopt;
 }
 
-QJsonObject drawnBeside(const QString& picture) {
-  for (const QString& name : reportsBeside(picture)) {
-    const QJsonObject drawn = reportIn(name)[QLatin1String("drawn")].toObject();
-    if (!drawn.isEmpty()) return drawn;
-  }
-  return {};
-}
-
 geometry::WorldRect worldOf(const geometry::ViewTransform& view, const PixelBox& box) {
   geometry::WorldRect world;
   for (const int x : {box.x, box.x + box.width}) {

@@ -25,9 +25,6 @@ std::optional<geometry::ViewTransform> viewIn(const QString& report);
 /// Of the report beside a picture: "a.json" or "a.png.json" of "a.png". One of another size is not about it.
 std::optional<geometry::ViewTransform> viewBeside(const QString& picture, PictureSize size);
 
-/// How a picture was drawn, where facts beside it say so ("suite accept"): {"theme", "layers"}.
-QJsonObject drawnBeside(const QString& picture);
-
 /// The part of the map below a box.
 geometry::WorldRect worldOf(const geometry::ViewTransform& view, const PixelBox& box);
 /// {"box", "pixels", "world"}; "world" is [x, y, w, h] in metres from the lower left corner.

@@ -1,12 +1,16 @@
 #include "ui/maps/expected_controller.h"
 
-#include <QDir>
+#include <algorithm>
+
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QPainter>
+#include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -15,9 +19,15 @@
 #include "compare/picture_reading.h"
 #include "compare/picture_view.h"
 #include "sentences/fault_sentence.h"
+#include "shot/layer_subscription.h"
+#include "shot/map_shot.h"
+#include "shot/picture.h"
+#include "shot/view_facts.h"
+#include "suite/judgement.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
+#include "ui/maps/picture_swipe.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
@@ -26,43 +36,90 @@ namespace mapwright::window {
 namespace {
 
 constexpr auto kExpectedFolderKey = "expectedPictures/folder";
-constexpr std::int64_t kMostDrawnPixels = 40'000'000;
+constexpr std::int64_t kMostDrawnPixels = 30'000'000;  // Qt reads pictures up to 128 MiB
 constexpr QSize kLargestShown(1'000, 700);
+constexpr int kMostListPx = 120;
+constexpr double kMostOfScreen = 0.9;
+constexpr int kExpectedTries = 3, kExpectedLookEveryMs = 20;
+constexpr double kExpectedWithinS = 10, kExpectedTopicsWithinS = 3;
 
-render::TileRenderer::Options exactTiles(const std::shared_ptr<work::Workers>& workers) {
-  render::TileRenderer::Options options;
-  options.workers = workers;
-  options.previews = false;
-  return options;
+/// What changed, and where: all of it.
+QStringList changesOf(const suite::ViewOutcome& outcome) {
+  QStringList changes;
+  for (const suite::ViewOutcome::ClusterRow& row : outcome.clusters) {
+    if (!row.near.isEmpty()) changes << QStringLiteral("%1: %2").arg(row.place, row.near);
+  }
+  for (const auto& [where, said] :
+       {std::pair(ExpectedController::tr("Everywhere: %1"), &outcome.everywhere),
+        std::pair(ExpectedController::tr("There or elsewhere: %1"), &outcome.somewhere),
+        std::pair(ExpectedController::tr("Elsewhere: %1"), &outcome.elsewhere)}) {
+    for (const QString& change : *said) changes << where.arg(change);
+  }
+  return changes;
+}
+
+QScrollArea* scrolled(const QString& difference) {
+  QPixmap pixels(difference);
+  if (pixels.width() > kLargestShown.width() || pixels.height() > kLargestShown.height())
+    pixels = pixels.scaled(kLargestShown, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  auto* const picture = new QLabel;
+  picture->setPixmap(pixels);
+  picture->setAccessibleName(ExpectedController::tr("What differs"));
+  auto* const area = new QScrollArea;
+  area->setWidget(picture);
+  area->setAccessibleName(ExpectedController::tr("What differs"));
+  return area;
 }
 
 }  // namespace
 
 /// The map drawn once more, aside.
-struct ExpectedController::Drawing {
-  Drawing(QString picture, const WindowContext& context)
-      : expected(std::move(picture)), scene(exactTiles(context.workers)) {
-    const scene::MapScene& shown = context.scene;
-    scene.setTheme(shown.theme());
-    scene.setColorMode(shown.colorMode());
-    scene.setLayerOrder(shown.layerOrder());
+struct ExpectedController::Comparing {
+  Comparing(QString picture, session::Session& drawn)
+      : expected(std::move(picture)), session(drawn), topics(drawn) {
+    shot.enter(shot::Stage::Settling, 0);
+    since.start();
+  }
+  double seconds() const { return double(since.elapsed()) / 1000; }
+  /// As the facts say that the picture was drawn; without facts as on screen.
+  void choose(const scene::MapScene& on_screen, const geometry::ViewTransform& view, bool is_raw) {
+    raw = is_raw;
+    const auto facts = suite::factsIn(suite::factsBeside(expected));
+    const bool known = facts && !facts->theme.empty();
+    look.view = view;
+    look.dark = known ? facts->theme == "dark" : on_screen.theme().dark;
+    look.colors = known ? render::ColorMode::Normal : on_screen.colorMode();
+    look.slices_marked = false;
     for (const scene::Layer layer : scene::allLayers()) {
-      scene.setLayerVisible(layer, shown.layerVisible(layer));
-      scene.setLayerOpacity(layer, shown.layerOpacity(layer));
-      scene.setLayerStyle(layer, shown.layerStyle(layer));
+      const bool named = known && std::find(facts->layers.begin(), facts->layers.end(),
+                                            scene::layerName(layer).toStdString()) != facts->layers.end();
+      if (known ? named : on_screen.layerVisible(layer)) look.layers.insert(layer);
     }
-    const QJsonObject drawn = compare::drawnBeside(expected);
-    if (drawn.isEmpty()) return;
-    scene.setTheme(drawn[QLatin1String("theme")] == QLatin1String("dark") ? scene::darkMapTheme()
-                                                                          : scene::lightMapTheme());
-    const QJsonArray layers = drawn[QLatin1String("layers")].toArray();
-    for (const scene::Layer layer : scene::allLayers())
-      scene.setLayerVisible(layer, layers.contains(scene::layerName(layer)));
+  }
+  void await() {
+    using shot::Awaited;
+    const auto draws = [this](scene::Layer layer) { return look.layers.contains(layer); };
+    topics.ask(look.layers, false);
+    if (draws(scene::Layer::Submaps))
+      shot.await(Awaited::Submaps, [this] { return session.settled(kExpectedTries); });
+    if (draws(scene::Layer::WholeMap))
+      shot.await(Awaited::WholeMap, [this, with_points = draws(scene::Layer::Waypoints)] {
+        const session::MapSlot& slot = session.wholeMap();
+        return slot.settled() && !(with_points && slot.waypointsAwaited());
+      });
+    shot.await(Awaited::Topics,
+               [this] { return topics.in() || shot.sinceConnected(seconds()) > kExpectedTopicsWithinS; });
   }
 
   QString expected;
-  geometry::ViewTransform view;
-  scene::MapScene scene;
+  session::Session& session;
+  shot::Look look;
+  shot::MapShot shot{{.timeout_s = kExpectedWithinS}};
+  shot::LayerSubscription topics;
+  bool raw = false;  // cells alone
+  std::unique_ptr<shot::Picture> picture;
+  QElapsedTimer since;
+  QTimer poll;
 };
 
 ExpectedController::ExpectedController(WindowContext& context, QObject* parent)
@@ -77,9 +134,11 @@ ExpectedController::ExpectedController(WindowContext& context, QObject* parent)
 
 ExpectedController::~ExpectedController() = default;
 
-void ExpectedController::setSession(session::Session*) { drawing_.reset(); }
+void ExpectedController::setSession(session::Session*) { comparing_.reset(); }
 
-void ExpectedController::tell(const QString& problem) { context_.overlay.toasts()->add(Mark::Bad, problem); }
+void ExpectedController::report(const QString& problem) {
+  context_.overlay.toasts()->add(Mark::Bad, problem);
+}
 
 void ExpectedController::askAndCompare() {
   const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Compare with an expected picture"),
@@ -95,65 +154,101 @@ void ExpectedController::compareWith(const QString& picture) {
   if (!session) return;
   const QString name = QFileInfo(picture).fileName();
   const auto read = compare::PictureReading::open(picture.toStdString());
-  if (!read) return tell(sentences::sentenceOf(read.error()));
+  if (!read) return report(sentences::sentenceOf(read.error()));
   const auto view = compare::viewBeside(picture, read->size());
   if (!view)
-    return tell(
+    return report(
         tr("No report beside %1 says which part of the map it shows. snapshot --report and suite accept "
            "write one.")
             .arg(name));
   if (read->size().pixels() > kMostDrawnPixels)
-    return tell(tr("%1 is too large to be compared here. The command suite has no such limit.").arg(name));
-  drawing_ = std::make_unique<Drawing>(picture, context_);
-  drawing_->view = *view;
-  drawing_->scene.setView(*view);
-  drawing_->scene.setSession(session);
-  connect(&drawing_->scene, &scene::MapScene::tilesSettled, this, &ExpectedController::take,
-          Qt::QueuedConnection);
-  QTimer::singleShot(0, &drawing_->scene, [this] { take(); });
+    return report(tr("%1 is too large to be compared here. The command suite has no such limit.").arg(name));
+  comparing_ = std::make_unique<Comparing>(picture, *session);
+  comparing_->choose(context_.scene, *view, read->isRaw());
+  comparing_->await();
+  connect(&comparing_->poll, &QTimer::timeout, this, &ExpectedController::look);
+  comparing_->poll.start(kExpectedLookEveryMs);
 }
 
-void ExpectedController::take() {
-  if (!drawing_ || !drawing_->scene.picturesSettled()) return;
-  const std::unique_ptr<Drawing> drawn = std::move(drawing_);
-  const QSize size(drawn->view.width_px, drawn->view.height_px);
-  QImage image(size, QImage::Format_RGB32);
+void ExpectedController::look() {
+  using shot::EndOfWaiting;
+  Comparing& now = *comparing_;
+  const EndOfWaiting end = now.shot.end(now.seconds(), true, {});
+  if (end == EndOfWaiting::None) return;
+  now.shot.addIf(end == EndOfWaiting::TimeUp, shot::Lack::NotSettled);
+  now.shot.enter(shot::Stage::Drawing, now.seconds());
+  now.poll.stop();
+  if (now.raw) {
+    const bool whole = now.look.layers.contains(scene::Layer::WholeMap);
+    now.picture = shot::makeRawPicture(shot::rawContent(now.session, now.look.view, whole), context_.workers);
+  } else {
+    now.picture = std::make_unique<shot::ScenePicture>(now.look, now.session, context_.workers);
+  }
+  // Queued: the picture is deleted there.
+  connect(now.picture.get(), &shot::Picture::finished, this, &ExpectedController::onPicture,
+          Qt::QueuedConnection);
+  now.picture->start();
+}
+
+void ExpectedController::onPicture() {
+  if (!comparing_) return;
+  comparing_->topics.ask({}, false);
+  const std::unique_ptr<Comparing> done = std::move(comparing_);
+  // Of the same moment as the picture: the session goes on.
+  const suite::Facts facts = shot::factsOf(done->look, done->session);
   QTemporaryDir folder;
   const QString actual = folder.filePath(QStringLiteral("actual.png")),
                 difference = folder.filePath(QStringLiteral("difference.png"));
-  if (image.isNull() || !folder.isValid()) return tell(tr("There is not enough room to draw the map again."));
-  QPainter painter(&image);
-  const QRectF whole(QPointF(0, 0), QSizeF(size));
-  drawn->scene.render(&painter, whole, whole);
-  painter.end();
-  if (!image.save(actual)) return tell(tr("There is not enough room to draw the map again."));
-  const auto made = compare::comparePictures(drawn->expected.toStdString(), actual.toStdString(), {});
-  if (!made) return tell(sentences::sentenceOf(made.error()));
-  if (const auto fault = compare::writeDifference(*made, drawn->expected.toStdString(), actual.toStdString(),
-                                                  difference.toStdString()))
-    return tell(sentences::sentenceOf(*fault));
-  show(compare::comparisonText(*made, drawn->view), difference);
+  if (!folder.isValid()) return report(tr("There is not enough room to draw the map again."));
+  if (const auto fault = done->picture->write(actual)) return report(sentences::sentenceOf(*fault));
+  const suite::Judgement judgement = suite::judge({done->expected}, actual, {});
+  if (judgement.unreadable()) return report(judgement.sentence);
+  suite::ViewOutcome outcome;
+  outcome.sentence = compare::comparisonText(*judgement.comparison, facts.view);
+  const bool differs = judgement.verdict == suite::Verdict::Differs;
+  if (differs) {
+    suite::explain(judgement, facts, outcome);
+    if (const auto fault = compare::writeDifference(*judgement.comparison, done->expected.toStdString(),
+                                                    actual.toStdString(), difference.toStdString()))
+      return report(sentences::sentenceOf(*fault));
+  }
+  if (!done->shot.complete())
+    outcome.sentence += QLatin1Char(' ') +
+                        tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS));
+  show(outcome.sentence, done->expected, QImage(actual), differs ? difference : QString(),
+       changesOf(outcome));
 }
 
-void ExpectedController::show(const QString& sentence, const QString& difference) {
+void ExpectedController::show(const QString& sentence, const QString& expected, const QImage& actual,
+                              const QString& difference, const QStringList& changes) {
   delete dialog_;
   dialog_ = new QDialog(&context_.window);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
   dialog_->setWindowTitle(tr("Compared with the expected picture"));
-  auto* const picture = new QLabel(dialog_);
-  QPixmap pixels(difference);
-  if (pixels.width() > kLargestShown.width() || pixels.height() > kLargestShown.height())
-    pixels = pixels.scaled(kLargestShown, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-  picture->setPixmap(pixels);
-  picture->setAccessibleName(tr("What differs"));
-  auto* const area = new QScrollArea(dialog_);
-  area->setWidget(picture);
-  area->setAccessibleName(tr("What differs"));
-  area->setMinimumSize(pixels.size().boundedTo(QSize(640, 480)) + QSize(4, 4));
+  auto* const swipe = new PictureSwipe(QImage(expected), actual, tr("Expected"), tr("Now"), dialog_);
+  connect(&swipe->handle(), &SwipeHandle::escaped, dialog_, &QDialog::reject);
+  QWidget* pictures = swipe;
+  if (!difference.isEmpty()) {
+    auto* const tabs = new QTabWidget(dialog_);
+    tabs->addTab(swipe, tr("Expected and now"));
+    tabs->addTab(scrolled(difference), tr("Difference"));
+    pictures = tabs;
+  }
+  auto* const list = new QListWidget(dialog_);
+  list->setAccessibleName(tr("What changed"));
+  list->setWordWrap(true);
+  list->addItems(changes);
+  int rows_px = 2 * list->frameWidth();
+  for (int row = 0; row < list->count(); ++row) rows_px += list->sizeHintForRow(row);
+  list->setFixedHeight(std::min(rows_px, kMostListPx));
+  list->setVisible(!changes.isEmpty());
   auto* const close = new QPushButton(tr("Close"), dialog_);
   giveRoles(*close, {});
   connect(close, &QPushButton::clicked, dialog_, &QDialog::reject);
-  dialog_->setLayout(columnOf({textLabel(sentence, dialog_), {area, 1}, rowOf({LayoutItem::rest(), close})}));
+  dialog_->setLayout(
+      columnOf({textLabel(sentence, dialog_), {pictures, 1}, list, rowOf({LayoutItem::rest(), close})}));
+  dialog_->resize(dialog_->sizeHint().boundedTo(context_.window.screen()->availableSize() * kMostOfScreen));
+  swipe->handle().setFocus();
   dialog_->open();
 }
 

@@ -17,22 +17,25 @@ class ExpectedController : public Controller {
   explicit ExpectedController(WindowContext& context, QObject* parent = nullptr);
   ~ExpectedController() override;
 
-  /// Draws the map at the place and in the size of `picture`, a PNG whose report lies beside it, with the
-  /// theme and the layers that facts beside it name, or else as on screen; shows what differs.
+  /// Draws the map as the commands do, at the place and in the size of `picture`, a PNG whose report or facts
+  /// lie beside it, with the theme and the layers that the facts name, or else as on screen; shows what
+  /// differs.
   void compareWith(const QString& picture);
   QDialog* dialog() const { return dialog_; }  // null: nothing is shown
 
   void setSession(session::Session* session) override;
 
  private:
-  struct Drawing;
+  struct Comparing;
   void askAndCompare();
-  void take();
-  void show(const QString& sentence, const QString& difference);
-  void tell(const QString& problem);
+  void look();
+  void onPicture();
+  void show(const QString& sentence, const QString& expected, const QImage& actual, const QString& difference,
+            const QStringList& changes);
+  void report(const QString& problem);
 
   WindowContext& context_;
-  std::unique_ptr<Drawing> drawing_;  // null: nothing is drawn
+  std::unique_ptr<Comparing> comparing_;  // null: nothing is drawn
   QPointer<QDialog> dialog_;
 };
 
