@@ -17,10 +17,10 @@ constexpr int kMostCalls = 64;
 constexpr unsigned kMostSeconds = 5;
 
 // Nothing can be translated, or allocated, once it has crashed.
-std::array<char, 512> sentence;
-std::size_t sentence_bytes = 0;
+std::array<char, 512> crash_sentence;
+std::size_t crash_sentence_bytes = 0;
 
-void print(const char* text, std::size_t bytes) {
+void writeToStderr(const char* text, std::size_t bytes) {
   if (::write(STDERR_FILENO, text, bytes) < 0) return;  // nowhere to write to
 }
 
@@ -29,7 +29,7 @@ void onCrash(int signal) {
   ::alarm(kMostSeconds);
   std::array<void*, kMostCalls> calls{};
   const int count = ::backtrace(calls.data(), kMostCalls);
-  print(sentence.data(), sentence_bytes);
+  writeToStderr(crash_sentence.data(), crash_sentence_bytes);
   ::backtrace_symbols_fd(calls.data(), count, STDERR_FILENO);
   ::raise(signal);  // with its default action, see SA_RESETHAND
 }
@@ -39,8 +39,8 @@ void onCrash(int signal) {
 void reportCrashes() {
   const QByteArray words =
       Text::tr("mapwright crashed. Please report it together with the lines that follow:").toUtf8() + '\n';
-  sentence_bytes = std::min(sentence.size(), std::size_t(words.size()));
-  std::copy_n(words.constData(), sentence_bytes, sentence.data());
+  crash_sentence_bytes = std::min(crash_sentence.size(), std::size_t(words.size()));
+  std::copy_n(words.constData(), crash_sentence_bytes, crash_sentence.data());
   // The first call loads a library.
   std::array<void*, 1> call{};
   ::backtrace(call.data(), 1);

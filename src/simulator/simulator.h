@@ -97,22 +97,22 @@ enum class FaultKind {
 };
 
 /// Which requests; they can be combined.
-enum Requests : unsigned {
-  kReads = 1,
-  kWrites = 2,  // POST, PUT, PATCH, DELETE, calls of AimDK and of ROS services that change something
-  kSubmaps = 4,
-  kMaps = 8,        // about maps, mappings, bags and static files, and all of AimDK
-  kMapList = 16,    // for the list of maps
-  kDownloads = 32,  // for a .pbstream
-  kServices = 64,   // calls of ROS services
-  kAllRequests = kReads | kWrites
-};
+using Requests = unsigned;
+inline constexpr Requests kReads = 1;
+// POST, PUT, PATCH, DELETE, calls of AimDK and of ROS services that change something.
+inline constexpr Requests kWrites = 2;
+inline constexpr Requests kSubmaps = 4;
+inline constexpr Requests kMaps = 8;        // about maps, mappings, bags and static files, and all of AimDK
+inline constexpr Requests kMapList = 16;    // for the list of maps
+inline constexpr Requests kDownloads = 32;  // for a .pbstream
+inline constexpr Requests kServices = 64;   // calls of ROS services
+inline constexpr Requests kAllRequests = kReads | kWrites;
 
 /// A row of the table of faults. Of several rows at most one takes effect, besides delays: the first one by
 /// the lot of the request. Lots are drawn by seed, request and try, so that a run can be repeated.
 struct RequestFault {
   FaultKind kind = FaultKind::Drop;
-  unsigned of = kAllRequests;
+  Requests of = kAllRequests;
   double rate = 1;        // the share of these requests, 0..1
   int number = 0;         // see FaultKind; 0 = any status
   std::string path = {};  // only this path or service, and what is below it; empty = all

@@ -152,7 +152,7 @@ class Bench {
   /// All that it can be asked, of the map that it has.
   std::vector<Question> questions() const {
     std::vector<Question> all;
-    const auto tell = [](const std::function<void(Ended)>& end) {
+    const auto passTo = [](const std::function<void(Ended)>& end) {
       return [end](const auto& outcome) { end(outcome ? Ended() : Ended(outcome.error())); };
     };
     if (auto* maps = robot->mapCatalogue()) {
