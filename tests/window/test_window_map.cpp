@@ -337,14 +337,19 @@ class TestWindowMap : public QObject {
       }
       int requests = 0;
     } layouts;
-    QTRY_VERIFY(window.session()->counts().pending == 0);
+    QTRY_VERIFY(window.session()->counts().pending == 0 && window.mapScene()->settled());
     window.installEventFilter(&layouts);
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
       dock->installEventFilter(&layouts);
       dock->widget()->installEventFilter(&layouts);
     }
-    QCoreApplication::sendPostedEvents();
-    layouts.requests = 0;
+    // Until what the map itself has changed in the docks has come to rest.
+    const auto rests = [&] {
+      layouts.requests = 0;
+      QCoreApplication::processEvents();
+      return layouts.requests == 0;
+    };
+    QTRY_VERIFY(rests());
     for (int i = 0; i < 90; ++i) {
       bench.robot->say(map::TrackedPose{{i * 0.1, 0, 0}});
       QCoreApplication::sendPostedEvents();  // no timers: only what a pose itself causes

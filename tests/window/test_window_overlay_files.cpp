@@ -1,5 +1,6 @@
 // Overlays of a GeoJSON file in the window: edited, saved, and changed by somebody else meanwhile.
 #include <QComboBox>
+#include <QSaveFile>
 #include <QSignalSpy>
 
 #include "disk/read_file.h"
@@ -26,10 +27,12 @@ struct FileDesk : Desk {
     return std::make_unique<robot::files::FileRobot>(address(), std::move(options));
   }
   QString path() const { return folder.filePath(QStringLiteral("hall.geojson")); }
+  /// At once: a file that is written piece by piece may be read in between.
   void put(const std::string& text) const {
-    QFile file(path());
+    QSaveFile file(path());
     QVERIFY(file.open(QIODevice::WriteOnly));
     QCOMPARE(file.write(text.data(), qint64(text.size())), qint64(text.size()));
+    QVERIFY(file.commit());
   }
   std::string there() const { return disk::readFile(path().toStdString(), 1 << 20).value_or(""); }
   void moveWallHere() { drag(px(2, 0), px(2, 1)); }
