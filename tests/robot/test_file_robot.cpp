@@ -482,6 +482,11 @@ class FileRobotTest : public QObject {
     QVERIFY(clash.error().applied == map::Applied::No);
     QCOMPARE(read()->text, std::string("[]"));
     QVERIFY(stored("null"));
+    // As a file is while it is being written, or after the disk was full: not "no overlays".
+    write(QStringLiteral("office.geojson"), "");
+    const auto emptied = read();
+    QVERIFY(!emptied && emptied.error().kind == map::FailureKind::MalformedAnswer);
+    QVERIFY(!stored("{}"));
   }
 
   void overlaysComeWithTheirMap() {
@@ -532,9 +537,11 @@ class FileRobotTest : public QObject {
     QVERIFY(robot && robot->connection().phase == ConnectionPhase::Refused);
     const QString why = sentences::sentenceOf(robot->connection().reason);
     QVERIFY2(why.contains(QStringLiteral("line 2, column 14"), Qt::CaseInsensitive), qPrintable(why));
-    write(QStringLiteral("b.geojson"), "{}");
-    robot = open(QStringLiteral("b.geojson"));
-    QVERIFY(robot && robot->connection().phase == ConnectionPhase::Refused);
+    for (const char* text : {"{}", ""}) {
+      write(QStringLiteral("b.geojson"), text);
+      robot = open(QStringLiteral("b.geojson"));
+      QVERIFY(robot && robot->connection().phase == ConnectionPhase::Refused);
+    }
   }
 };
 
