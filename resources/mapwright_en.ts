@@ -675,7 +675,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::PictureEditing</name>
+    <name>mapwright::edit::PictureEditing</name>
     <message numerus="yes">
         <source>%1 cells</source>
         <translation>

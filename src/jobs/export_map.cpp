@@ -8,7 +8,6 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImageWriter>
-#include <QRegularExpression>
 
 #include "disk/file_error.h"
 #include "disk/read_file.h"
@@ -135,16 +134,6 @@ QString mostlyMissingReason(const grids::GridPyramid& cells) {
 
 QString exportSuffix(ExportFormat format) {
   return format == ExportFormat::MapServer ? QStringLiteral("yaml") : QStringLiteral("png");
-}
-
-QString fileNameFrom(const QString& name) {
-  QString plain = words::plainName(name);
-  static const QRegularExpression odd(QStringLiteral("[^\\w\\-. ]"),
-                                      QRegularExpression::UseUnicodePropertiesOption);
-  plain.replace(odd, QStringLiteral("_"));
-  plain = plain.left(60).trimmed();
-  while (plain.startsWith(QLatin1Char('.'))) plain.remove(0, 1);
-  return plain.isEmpty() ? QStringLiteral("map") : plain;
 }
 
 ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, const grids::Resources& means) {

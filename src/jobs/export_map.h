@@ -85,8 +85,6 @@ QString firstOwnSource(const QStringList& files, const std::vector<std::string>&
 QString mostlyMissingReason(const grids::GridPyramid& cells);
 /// The extension of the format: "png", "yaml".
 QString exportSuffix(ExportFormat format);
-/// Turns any name into a valid name for a file or folder, without extension.
-QString fileNameFrom(const QString& name);
 
 /// One export on a thread of its own. GUI-thread object; deleting it cancels and waits.
 class ExportJob : public QObject {

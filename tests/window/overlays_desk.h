@@ -12,6 +12,7 @@
 #include "sentences/failure_sentence.h"
 #include "simulator/simulator.h"
 #include "ui/overlays/overlay_review.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlay_tool.h"
 #include "ui/overlays/overlays_controller.h"
 #include "ui/overlays/overlays_dock.h"
@@ -122,7 +123,7 @@ struct Desk {
   }
 
   OverlaysController& control() { return *part<OverlaysController>(*window); }
-  OverlayEditing& editing() { return *control().editing(); }
+  edit::OverlayEditing& editing() { return *control().editing(); }
   const overlays::EditingDocument& document() { return editing().document(); }
   OverlaysDock& dock() { return *control().dock(); }
   QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }

@@ -201,8 +201,8 @@ struct Hand {
   edit::WaypointDocument document;
   WaypointEditing waypoints;
   ProjectionDraft draft;
-  PictureEditing picture{std::make_shared<work::Workers>()};
-  OverlayEditing overlays;
+  edit::PictureEditing picture{std::make_shared<work::Workers>()};
+  edit::OverlayEditing overlays;
   OverlaysOnMap on_map{&overlays, &scene};
   OverlaySnapping overlay_snapping{&overlays, &scene, &on_map};
   std::unique_ptr<MapTool> tool;

@@ -8,6 +8,7 @@
 #include <QUrl>
 #include <QtTest>
 
+#include "edit/picture/picture_copies.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_robot.h"
 #include "simulator/simulator.h"
@@ -16,7 +17,6 @@
 #include "ui/maps/administration_controller.h"
 #include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_controller.h"
-#include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_tool.h"
 #include "ui/view/map_overlay.h"
@@ -92,7 +92,7 @@ struct Hall {
     control().sendingQuestion()->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
   }
   PictureController& control() { return *part<PictureController>(*window); }
-  PictureEditing& editing() { return *control().editing(); }
+  edit::PictureEditing& editing() { return *control().editing(); }
   int cell(int column, int row) { return int(editing().grid()->at(column, row)); }
   QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
   QString status() { return control().dock()->status(); }
@@ -210,8 +210,8 @@ class TestWindowKabamPicture : public QObject {
 
   void asManyCopiesAreKeptAsIsSaid() {
     Hall hall;
-    const QString folder = copiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")),
-                                        QStringLiteral("ws://a/../b"), QStringLiteral("../../<Hall>"));
+    const QString folder = edit::copiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")),
+                                              QStringLiteral("ws://a/../b"), QStringLiteral("../../<Hall>"));
     QVERIFY2(folder.startsWith(hall.folder.filePath(QStringLiteral("mapwright/overwritten/"))) &&
                  !folder.contains(QLatin1String("/../")),
              qPrintable(folder));
@@ -222,29 +222,30 @@ class TestWindowKabamPicture : public QObject {
     place.height = 2;
     place.resolution_m = 1;
     const QDateTime first(QDate(2026, 1, 2), QTime(3, 4, 5));
-    for (int i = 0; i < kMostCopies + 3; ++i)
-      QVERIFY(!keepCopy(*builder->pyramid(), place, copyPath(folder, first.addSecs(i))));
-    QCOMPARE(hall.copies().size(), kMostCopies);
-    QCOMPARE(hall.copies().first(), copyPath(folder, first.addSecs(3)));
-    QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 2 * kMostCopies);
+    for (int i = 0; i < edit::kMostCopies + 3; ++i)
+      QVERIFY(!edit::keepCopy(*builder->pyramid(), place, edit::copyPath(folder, first.addSecs(i))));
+    QCOMPARE(hall.copies().size(), edit::kMostCopies);
+    QCOMPARE(hall.copies().first(), edit::copyPath(folder, first.addSecs(3)));
+    QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 2 * edit::kMostCopies);
   }
 
   void theOldestGoWhereTheyTakeTooMuchRoom() {
     const auto copy = [](const char* map, int second, qint64 bytes) {
-      PictureCopy made;
+      edit::PictureCopy made;
       made.map = QString::fromLatin1(map);
       made.path = QStringLiteral("/robot/%1/%2.yaml").arg(made.map).arg(second);
       made.made = QDateTime(QDate(2026, 1, 2), QTime(3, 4, second));
       made.bytes = bytes;
       return made;
     };
-    const auto gone = [](const std::vector<PictureCopy>& copies, qint64 most) {
+    const auto gone = [](const std::vector<edit::PictureCopy>& copies, qint64 most) {
       QStringList paths;
-      for (const PictureCopy& one : copiesTooMany(copies, most)) paths << one.path;
+      for (const edit::PictureCopy& one : edit::copiesTooMany(copies, most)) paths << one.path;
       return paths;
     };
-    const std::vector<PictureCopy> copies{copy("hall", 9, 40), copy("attic", 8, 40), copy("hall", 7, 40),
-                                          copy("hall", 6, 10), copy("cellar", 5, 90)};
+    const std::vector<edit::PictureCopy> copies{copy("hall", 9, 40), copy("attic", 8, 40),
+                                                copy("hall", 7, 40), copy("hall", 6, 10),
+                                                copy("cellar", 5, 90)};
     QVERIFY(gone(copies, 1'000).isEmpty());
     // The newest of each map stays, whatever it takes.
     QCOMPARE(gone(copies, 100), QStringList{QStringLiteral("/robot/hall/7.yaml")});
@@ -327,16 +328,17 @@ class TestWindowKabamPicture : public QObject {
     Hall hall;
     hall.keeps_copies = true;
     hall.open();
-    const QString folder = copiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")),
-                                        QStringLiteral("ws://elsewhere"), QStringLiteral("<b>Attic</b>"));
+    const QString folder =
+        edit::copiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")),
+                           QStringLiteral("ws://elsewhere"), QStringLiteral("<b>Attic</b>"));
     const auto builder = grids::buildGrid(3, 2, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins);
     builder->finish();
     map::GridReference place;
     place.width = 3;
     place.height = 2;
     place.resolution_m = 1;
-    QVERIFY(
-        !keepCopy(*builder->pyramid(), place, copyPath(folder, QDateTime(QDate(2026, 1, 2), QTime(3, 4)))));
+    QVERIFY(!edit::keepCopy(*builder->pyramid(), place,
+                            edit::copyPath(folder, QDateTime(QDate(2026, 1, 2), QTime(3, 4)))));
     hall.action("pictureCopies")->trigger();
     CopiesDialog* const dialog = hall.control().copiesDialog();
     QTRY_COMPARE(dialog->table()->rowCount(), 1);
@@ -349,7 +351,8 @@ class TestWindowKabamPicture : public QObject {
     QFile file(pgm.replace(QLatin1String(".yaml"), QLatin1String(".pgm")));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.close();
-    dialog->list(copiesKept(allCopiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")))));
+    dialog->list(
+        edit::copiesKept(edit::allCopiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")))));
     QCOMPARE(dialog->statusShown(), QStringLiteral("This copy cannot be read."));
     QVERIFY(!dialog->openButton()->isEnabled());
   }

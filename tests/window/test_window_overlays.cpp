@@ -19,6 +19,7 @@
 #include <QUndoGroup>
 #include <QtTest>
 
+#include "edit/overlays/overlay_drafts.h"
 #include "overlays/overlay_shapes.h"
 #include "overlays_desk.h"
 #include "robot/axbot/axbot_address.h"
@@ -27,7 +28,6 @@
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
-#include "ui/overlays/overlay_drafts.h"
 #include "ui/overlays/overlay_form.h"
 #include "ui/overlays/overlay_review.h"
 #include "ui/overlays/overlay_tool.h"

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "edit/picture/picture_drafts.h"
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "test_program.h"
@@ -18,7 +19,6 @@
 #include "ui/maps/export_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/picture/picture_dock.h"
-#include "ui/picture/picture_drafts.h"
 #include "ui/picture/picture_tool.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -104,7 +104,7 @@ struct Desk {
     window->view()->moveTo(camera, false);
   }
   PictureController& control() { return *part<PictureController>(*window); }
-  PictureEditing& editing() { return *control().editing(); }
+  edit::PictureEditing& editing() { return *control().editing(); }
   PictureDock& dock() { return *control().dock(); }
   const grids::GridPyramid& cells() { return *window->mapScene()->wholeMap()->cells; }
 
@@ -240,15 +240,15 @@ class TestWindowPicture : public QObject {
     Desk desk;
     desk.writeCells([](int x, int y) { return char((x % 50 == 20 && y % 50 == 20) || y == 0 ? 0 : 254); });
     desk.open();
-    desk.dock().tidySize(Tidying::Specks)->setValue(3);
-    desk.dock().tidyButton(Tidying::Specks)->click();
+    desk.dock().tidySize(edit::Tidying::Specks)->setValue(3);
+    desk.dock().tidyButton(edit::Tidying::Specks)->click();
     QTRY_VERIFY(desk.editing().preview());
     QCOMPARE(int(desk.editing().preview()->found.pieces), 48);
     QCOMPARE(int(desk.cells().at(20, 20)), 0);  // as it would be
     QVERIFY(!desk.editing().unsaved());
     QTest::keyClick(desk.window->view(), Qt::Key_Escape);
     QCOMPARE(int(desk.cells().at(20, 20)), 100);
-    desk.dock().tidyButton(Tidying::Specks)->click();
+    desk.dock().tidyButton(edit::Tidying::Specks)->click();
     QTRY_VERIFY(desk.dock().applyButton()->isEnabled());
     desk.dock().applyButton()->click();
     QCOMPARE(int(desk.editing().changedCells()), 48);
@@ -261,17 +261,17 @@ class TestWindowPicture : public QObject {
     Desk desk;
     desk.writeCells([](int x, int y) { return x == 20 && y == 20 ? char(0) : char(254); });
     desk.open();
-    desk.dock().tidyButton(Tidying::Specks)->click();
+    desk.dock().tidyButton(edit::Tidying::Specks)->click();
     QTRY_VERIFY(desk.editing().preview());
     // Who goes back to the panel has neither lost Esc nor Enter.
-    QTest::mouseClick(desk.dock().tidyButton(Tidying::Gaps), Qt::LeftButton);
-    QTRY_VERIFY(desk.editing().preview() && desk.editing().preview()->what == Tidying::Gaps);
+    QTest::mouseClick(desk.dock().tidyButton(edit::Tidying::Gaps), Qt::LeftButton);
+    QTRY_VERIFY(desk.editing().preview() && desk.editing().preview()->what == edit::Tidying::Gaps);
     desk.dock().modeButton(PaintMode::Brush)->setFocus();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!desk.editing().preview() && !desk.editing().looking());
     QCOMPARE(desk.window->view()->tool(), static_cast<MapTool*>(desk.control().tool()));
     // Enter in a number looks with it, the next one applies that.
-    QSpinBox* const size = desk.dock().tidySize(Tidying::Specks);
+    QSpinBox* const size = desk.dock().tidySize(edit::Tidying::Specks);
     size->setFocus();
     size->selectAll();
     QTest::keyClicks(size, QStringLiteral("5"));
@@ -304,8 +304,8 @@ class TestWindowPicture : public QObject {
     desk.open();
     desk.action("pictureTool")->trigger();  // nothing in the hand
     QVERIFY(desk.window->view()->tool() != &*desk.control().tool());
-    desk.dock().tidySize(Tidying::Specks)->setValue(3);
-    QTest::mouseClick(desk.dock().tidyButton(Tidying::Specks), Qt::LeftButton);
+    desk.dock().tidySize(edit::Tidying::Specks)->setValue(3);
+    QTest::mouseClick(desk.dock().tidyButton(edit::Tidying::Specks), Qt::LeftButton);
     QTRY_VERIFY(desk.editing().preview());
     QCOMPARE(desk.dock().legend(), (QStringList{QStringLiteral("becomes free: 1 cell"),
                                                 QStringLiteral("becomes unknown: 2 cells")}));
@@ -313,8 +313,8 @@ class TestWindowPicture : public QObject {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!desk.editing().preview() && !desk.editing().unsaved());
     QVERIFY(desk.dock().legend().isEmpty());
-    desk.dock().tidyButton(Tidying::Gaps)->setFocus();
-    QTest::keyClick(desk.dock().tidyButton(Tidying::Gaps), Qt::Key_Space);
+    desk.dock().tidyButton(edit::Tidying::Gaps)->setFocus();
+    QTest::keyClick(desk.dock().tidyButton(edit::Tidying::Gaps), Qt::Key_Space);
     QTRY_VERIFY(desk.editing().preview());
     QCOMPARE(desk.dock().legend(), QStringList{QStringLiteral("becomes occupied: 1 cell")});
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
@@ -549,15 +549,15 @@ class TestWindowPicture : public QObject {
   }
 
   void brokenDraftsAreSetAside() {
-    QVERIFY(!pictureDraftFrom("{}"));
+    QVERIFY(!edit::pictureDraftFrom("{}"));
     const picture::EditedGrid grid(
         grids::buildGrid(3, 3, grids::CellCode::Gray, grids::Reduction::OccupiedWins)->pyramid());
-    const QByteArray whole = pictureDraftBytes({}, QDateTime::currentDateTime(), grid, grid);
-    QVERIFY(pictureDraftFrom(whole));
-    QVERIFY(!pictureDraftFrom(QByteArray(whole).replace("\"width\":3", "\"width\":-3")));
-    QVERIFY(!pictureDraftFrom(QByteArray(whole).replace("\"changes\":[", "\"changes\":[{\"x\":1},")));
+    const QByteArray whole = edit::pictureDraftBytes({}, QDateTime::currentDateTime(), grid, grid);
+    QVERIFY(edit::pictureDraftFrom(whole));
+    QVERIFY(!edit::pictureDraftFrom(QByteArray(whole).replace("\"width\":3", "\"width\":-3")));
+    QVERIFY(!edit::pictureDraftFrom(QByteArray(whole).replace("\"changes\":[", "\"changes\":[{\"x\":1},")));
     // It says that it unpacks to four gigabytes.
-    QVERIFY(!pictureDraftFrom(
+    QVERIFY(!edit::pictureDraftFrom(
         QByteArray(whole).replace("]", ",{\"x\":0,\"y\":0,\"was\":\"/////wA=\",\"is\":\"/////wA=\"}]")));
   }
 

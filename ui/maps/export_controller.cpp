@@ -35,6 +35,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
+#include "words/file_name.h"
 
 namespace mapwright::window {
 
@@ -146,7 +147,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
     button->setToolTip(has_map ? QString() : offer_.why_not_whole);
   }
   (has_map ? map_picture_ : view_picture_)->setChecked(true);
-  path_->setText(QDir(offer_.folder).filePath(jobs::fileNameFrom(offer_.name)));
+  path_->setText(QDir(offer_.folder).filePath(words::shortFileName(offer_.name, QStringLiteral("map"))));
   for (QRadioButton* button : {map_picture_, map_server_, view_picture_})
     connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
   connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);

@@ -30,6 +30,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
+#include "words/file_name.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -41,8 +42,9 @@ constexpr int kPreviewPx = 800;
 
 /// Where this map is downloaded to below `parent`: an interrupted download goes on, a whole one is kept.
 QString folderFor(const QString& parent, const map::CatalogueEntry& map) {
-  const QString name = jobs::fileNameFrom(
-      QStringLiteral("%1-%2").arg(words::plainName(map.name).left(60), QString::fromStdString(map.key.id)));
+  const QString name = words::shortFileName(
+      QStringLiteral("%1-%2").arg(words::plainName(map.name).left(60), QString::fromStdString(map.key.id)),
+      QStringLiteral("map"));
   for (int number = 1;; ++number) {
     const QString folder =
         QDir(parent).filePath(number == 1 ? name : QStringLiteral("%1-%2").arg(name).arg(number));

@@ -14,6 +14,7 @@
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/status_text.h"
+#include "ui/overlays/overlay_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {

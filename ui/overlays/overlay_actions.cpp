@@ -5,11 +5,12 @@
 
 #include "ui/kit/forms.h"
 #include "ui/overlays/collection_dialog.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_dock.h"
 
 namespace mapwright::window {
 
-OverlayActions::OverlayActions(WindowContext& context, OverlayEditing* editing, OverlayTool* tool,
+OverlayActions::OverlayActions(WindowContext& context, edit::OverlayEditing* editing, OverlayTool* tool,
                                OverlaySnapping* snapping, OverlaysDock* dock, QObject* parent)
     : QObject(parent),
       context_(context),
@@ -38,8 +39,8 @@ OverlayActions::OverlayActions(WindowContext& context, OverlayEditing* editing, 
   context_.actions.addToMenu({MenuGroup::Waypoints, 34}, menu_->menuAction());
   dock->setMenus(teaching_->menu(), arranging_->menu(), snap_, snap_menu_, defaults_);
   connect(snapping_, &OverlaySnapping::changed, this, &OverlayActions::refresh);
-  connect(editing_, &OverlayEditing::changed, this, &OverlayActions::refresh);
-  connect(editing_, &OverlayEditing::opened, this, [this] {
+  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayActions::refresh);
+  connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     if (defaults_dialog_) defaults_dialog_->close();
   });
   refresh();

@@ -22,7 +22,7 @@ class OverlayActions : public QObject {
   Q_OBJECT
  public:
   /// All must outlive this.
-  OverlayActions(WindowContext& context, OverlayEditing* editing, OverlayTool* tool,
+  OverlayActions(WindowContext& context, edit::OverlayEditing* editing, OverlayTool* tool,
                  OverlaySnapping* snapping, OverlaysDock* dock, QObject* parent = nullptr);
 
   OverlayTeaching* teaching() const { return teaching_; }
@@ -37,7 +37,7 @@ class OverlayActions : public QObject {
   void refresh();
 
   WindowContext& context_;
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   OverlaySnapping* snapping_;
   OverlayTeaching* teaching_;
   OverlayTransfer* transfer_;

@@ -5,6 +5,7 @@
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_shapes.h"
 #include "ui/kit/forms.h"
+#include "ui/overlays/overlay_text.h"
 
 namespace mapwright::window {
 
@@ -12,7 +13,7 @@ using geometry::WorldRect;
 using overlays::Alignment;
 using overlays::Spread;
 
-OverlayArranging::OverlayArranging(WindowContext& context, OverlayEditing* editing, QObject* parent)
+OverlayArranging::OverlayArranging(WindowContext& context, edit::OverlayEditing* editing, QObject* parent)
     : QObject(parent), editing_(editing), menu_(new QMenu(tr("&Arrange"), &context.window)) {
   const QString edit = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
   const auto add = [&](const char* id, const QString& text, const QString& tip, std::size_t least,
@@ -50,8 +51,8 @@ OverlayArranging::OverlayArranging(WindowContext& context, OverlayEditing* editi
       [](const std::vector<WorldRect>& boxes) { return overlays::shiftsToSpread(boxes, Spread::X); });
   add("spreadOverlaysY", tr("Equal gaps of overlays in y"), tr("The outermost two stay"), 3,
       [](const std::vector<WorldRect>& boxes) { return overlays::shiftsToSpread(boxes, Spread::Y); });
-  connect(editing_, &OverlayEditing::changed, this, &OverlayArranging::refresh);
-  connect(editing_, &OverlayEditing::selectionChanged, this, &OverlayArranging::refresh);
+  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayArranging::refresh);
+  connect(editing_, &edit::OverlayEditing::selectionChanged, this, &OverlayArranging::refresh);
   refresh();
 }
 

@@ -5,8 +5,8 @@
 
 #include <QObject>
 
+#include "edit/overlays/overlay_editing.h"
 #include "overlays/overlay_arrange.h"
-#include "ui/overlays/overlay_editing.h"
 #include "ui/shell/window_context.h"
 
 class QMenu;
@@ -17,7 +17,7 @@ class OverlayArranging : public QObject {
   Q_OBJECT
  public:
   /// Both must outlive this.
-  OverlayArranging(WindowContext& context, OverlayEditing* editing, QObject* parent = nullptr);
+  OverlayArranging(WindowContext& context, edit::OverlayEditing* editing, QObject* parent = nullptr);
   QMenu* menu() const { return menu_; }
 
  private:
@@ -26,7 +26,7 @@ class OverlayArranging : public QObject {
                const std::function<Shifts(const std::vector<geometry::WorldRect>&)>& how);
   void refresh();
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   QMenu* menu_;
   std::vector<std::pair<QAction*, std::size_t>> actions_;  // with how many it takes at least
 };

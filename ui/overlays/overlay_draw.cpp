@@ -33,10 +33,10 @@ Shape shapeOf(OverlayMode mode) {
   return Shape::Polygon;
 }
 
-OverlayDraw::OverlayDraw(OverlayMode mode, OverlayEditing* editing, const scene::MapScene* scene,
+OverlayDraw::OverlayDraw(OverlayMode mode, edit::OverlayEditing* editing, const scene::MapScene* scene,
                          OverlaySnapping* snapping, QObject* parent)
     : DragTool(scene, parent), mode_(mode), editing_(editing), snapping_(snapping) {
-  connect(editing_, &OverlayEditing::opened, this, [this] {
+  connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     dragCancelled();
     forget();
   });

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "edit/overlays/overlay_editing.h"
 #include "overlays/overlay_shapes.h"
-#include "ui/overlays/overlay_editing.h"
 #include "ui/overlays/overlay_snapping.h"
 #include "ui/view/drag_tool.h"
 
@@ -21,7 +21,7 @@ class OverlayDraw : public DragTool {
   Q_OBJECT
  public:
   /// All must outlive this.
-  OverlayDraw(OverlayMode mode, OverlayEditing* editing, const scene::MapScene* scene,
+  OverlayDraw(OverlayMode mode, edit::OverlayEditing* editing, const scene::MapScene* scene,
               OverlaySnapping* snapping, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("drawOverlays"); }
@@ -65,7 +65,7 @@ class OverlayDraw : public DragTool {
 
  private:
   OverlayMode mode_;
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   OverlaySnapping* snapping_;
   Corners corners_;
   std::optional<Eigen::Vector2d> hand_;

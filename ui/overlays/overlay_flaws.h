@@ -8,8 +8,9 @@
 #include <QSettings>
 #include <QWidget>
 
+#include "edit/overlays/overlay_editing.h"
 #include "overlays/overlay_check.h"
-#include "ui/overlays/overlay_editing.h"
+#include "ui/overlays/overlay_text.h"
 
 class QDoubleSpinBox;
 class QLabel;

@@ -74,7 +74,7 @@ void showTypes(QComboBox& picker, Shape shape, int type) {
   picker.setCurrentIndex(picker.findData(type));
 }
 
-OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
+OverlayForm::OverlayForm(edit::OverlayEditing* editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
       about_(wrappedLabel({}, this)),
@@ -122,10 +122,10 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
   column->addLayout(rowOf({{new_key_, 1}, add_, remove_}, 4));
   column->addWidget(problem_);
   setLayout(column);
-  for (const auto signal : {&OverlayEditing::changed, &OverlayEditing::selectionChanged})
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayForm::refresh);
   // Dragging changes no property but the heading of one.
-  connect(editing_, &OverlayEditing::previewChanged, this, [this] {
+  connect(editing_, &edit::OverlayEditing::previewChanged, this, [this] {
     if (shown_) refresh();
   });
   connect(name_, &QLineEdit::editingFinished, this, &OverlayForm::applyName);
@@ -347,7 +347,7 @@ void OverlayForm::removeProperty() {
       [&](const Feature& each) { return overlays::withProperty(each, key.toStdString(), std::nullopt); });
 }
 
-OverlayPoints::OverlayPoints(OverlayEditing* editing, QWidget* parent)
+OverlayPoints::OverlayPoints(edit::OverlayEditing* editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
       about_(wrappedLabel({}, this)),
@@ -359,8 +359,8 @@ OverlayPoints::OverlayPoints(OverlayEditing* editing, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->setTabKeyNavigation(false);
   setLayout(columnOf({about_, {table_, 1}}, 4, QMargins(8, 6, 8, 6)));
-  for (const auto signal :
-       {&OverlayEditing::changed, &OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::previewChanged,
+                            &edit::OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayPoints::refresh);
   connect(table_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
     if (!refreshing_) onCellChanged(row, changed);

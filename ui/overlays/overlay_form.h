@@ -7,7 +7,8 @@
 
 #include <QWidget>
 
-#include "ui/overlays/overlay_editing.h"
+#include "edit/overlays/overlay_editing.h"
+#include "ui/overlays/overlay_text.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -26,7 +27,7 @@ class OverlayForm : public QWidget {
   Q_OBJECT
  public:
   /// `editing` must outlive this.
-  explicit OverlayForm(OverlayEditing* editing, QWidget* parent = nullptr);
+  explicit OverlayForm(edit::OverlayEditing* editing, QWidget* parent = nullptr);
 
   QLineEdit* nameEdit() const { return name_; }
   QComboBox* typePicker() const { return type_; }
@@ -51,7 +52,7 @@ class OverlayForm : public QWidget {
   void say(const QString& problem);
   const Feature* feature() const;
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   QLabel *about_, *problem_, *yaw_label_;
   QLineEdit *name_, *new_key_;
   QComboBox* type_;
@@ -67,14 +68,14 @@ class OverlayForm : public QWidget {
 class OverlayPoints : public QWidget {
   Q_OBJECT
  public:
-  explicit OverlayPoints(OverlayEditing* editing, QWidget* parent = nullptr);
+  explicit OverlayPoints(edit::OverlayEditing* editing, QWidget* parent = nullptr);
   QTableWidget* table() const { return table_; }
 
  private:
   void refresh();
   void onCellChanged(int row, int column);
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   QLabel* about_;
   QTableWidget* table_;
   std::optional<FeatureKey> shown_;

@@ -8,6 +8,7 @@
 #include "overlays/overlay_shapes.h"
 #include "scene/drawing.h"
 #include "scene/map_theme.h"
+#include "ui/overlays/overlay_text.h"
 
 namespace mapwright::window {
 namespace {

@@ -9,12 +9,12 @@
 #include <QIcon>
 #include <QObject>
 
+#include "edit/overlays/overlay_editing.h"
 #include "overlays/overlay_document.h"
 #include "overlays/overlay_merge.h"
 #include "overlays/overlay_reach.h"
 #include "scene/drawn_waypoint.h"
 #include "scene/map_scene.h"
-#include "ui/overlays/overlay_editing.h"
 
 namespace mapwright::window {
 

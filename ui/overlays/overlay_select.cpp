@@ -42,17 +42,17 @@ std::optional<Vector2d> placeOf(const Feature& feature) {
 
 }  // namespace
 
-OverlaySelect::OverlaySelect(OverlayEditing* editing, const scene::MapScene* scene,
+OverlaySelect::OverlaySelect(edit::OverlayEditing* editing, const scene::MapScene* scene,
                              const OverlaysOnMap* on_map, OverlaySnapping* snapping, QObject* parent)
     : DragTool(scene, parent), editing_(editing), on_map_(on_map), snapping_(snapping) {
-  for (const auto signal : {&OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
+  for (const auto signal : {&edit::OverlayEditing::previewChanged, &edit::OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlaySelect::lookAnew);
-  connect(editing_, &OverlayEditing::changed, this, [this] {
+  connect(editing_, &edit::OverlayEditing::changed, this, [this] {
     // It may have other points, and other properties, than what the hand holds.
     if (drag() == Drag::Vertex) dragCancelled();
     lookAnew();
   });
-  connect(editing_, &OverlayEditing::opened, this, [this] {
+  connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     dragCancelled();
     lookAnew();
   });
@@ -226,7 +226,7 @@ void OverlaySelect::move(const MapPoint& at) {
   landing_ =
       snapping_->place(anchor_m_ + at.world_m - hold()->from.world_m, at.modifiers, editing_->selected());
   by_m_ = landing_.at_m - anchor_m_;
-  OverlayEditing::Preview preview;
+  edit::OverlayEditing::Preview preview;
   for (const FeatureKey key : editing_->selected())
     preview.emplace(key, overlays::movedBy(*editing_->document().find(key), by_m_));
   editing_->setPreview(std::move(preview));
@@ -249,7 +249,7 @@ void OverlaySelect::turn(const MapPoint& at) {
   const auto step = [steps = bool(at.modifiers & Qt::ShiftModifier)](double angle) {
     return steps ? std::round(angle / kTurnStep) * kTurnStep : angle;
   };
-  OverlayEditing::Preview preview;
+  edit::OverlayEditing::Preview preview;
   const auto key = editing_->only();
   const Feature* const one = key ? &*editing_->document().find(*key) : nullptr;
   if (one && one->shape() == Shape::Point) {

@@ -5,8 +5,9 @@
 #include <set>
 #include <vector>
 
-#include "ui/overlays/overlay_editing.h"
+#include "edit/overlays/overlay_editing.h"
 #include "ui/overlays/overlay_snapping.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_on_map.h"
 #include "ui/view/drag_tool.h"
 
@@ -16,7 +17,7 @@ class OverlaySelect : public DragTool {
   Q_OBJECT
  public:
   /// All must outlive this.
-  OverlaySelect(OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
+  OverlaySelect(edit::OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
                 OverlaySnapping* snapping, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("selectOverlays"); }
@@ -67,7 +68,7 @@ class OverlaySelect : public DragTool {
   bool nudge(const MapKeyPress& press);
   void paintVertices(QPainter& painter) const;
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   const OverlaysOnMap* on_map_;
   OverlaySnapping* snapping_;
   Drag drag_ = Drag::None;  // what the press that is held does
@@ -79,7 +80,7 @@ class OverlaySelect : public DragTool {
   std::optional<overlays::Vertex> vertex_;  // that is chosen
   std::optional<FeatureKey> vertex_of_;     // whose it is
   std::optional<FeatureKey> under_;
-  OverlayEditing::Gesture nudging_ = 0;
+  edit::OverlayEditing::Gesture nudging_ = 0;
   std::set<FeatureKey> nudged_;
   mutable std::optional<Rings> rings_;  // made when they are asked for
 };

@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include "scene/drawing.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {
@@ -37,11 +38,11 @@ placing::PlacedMap mapBelow(const scene::MapScene& scene) {
 
 }  // namespace
 
-OverlaySnapping::OverlaySnapping(OverlayEditing* editing, const scene::MapScene* scene,
+OverlaySnapping::OverlaySnapping(edit::OverlayEditing* editing, const scene::MapScene* scene,
                                  const OverlaysOnMap* on_map, QObject* parent)
     : QObject(parent), editing_(editing), scene_(scene), on_map_(on_map) {
-  connect(editing_, &OverlayEditing::changed, this, [this] { index_.reset(); });
-  connect(editing_, &OverlayEditing::previewChanged, this, [this] {
+  connect(editing_, &edit::OverlayEditing::changed, this, [this] { index_.reset(); });
+  connect(editing_, &edit::OverlayEditing::previewChanged, this, [this] {
     // What was being dragged is where it was again.
     if (editing_->preview().empty()) index_.reset();
   });

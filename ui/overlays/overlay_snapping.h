@@ -10,6 +10,7 @@
 
 #include "overlays/overlay_snap.h"
 #include "scene/map_scene.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_on_map.h"
 
 class QPainter;
@@ -20,7 +21,7 @@ class OverlaySnapping : public QObject {
   Q_OBJECT
  public:
   /// All must outlive this.
-  OverlaySnapping(OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
+  OverlaySnapping(edit::OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
                   QObject* parent = nullptr);
 
   bool on() const { return on_; }
@@ -46,7 +47,7 @@ class OverlaySnapping : public QObject {
  private:
   const overlays::SnapIndex& index();
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   const scene::MapScene* scene_;
   const OverlaysOnMap* on_map_;
   bool on_ = true;

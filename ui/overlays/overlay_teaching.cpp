@@ -29,7 +29,7 @@ const QString kMarksOwner = QStringLiteral("overlayMarks");
 
 }  // namespace
 
-OverlayTeaching::OverlayTeaching(WindowContext& context, OverlayEditing* editing, OverlayTool* tool,
+OverlayTeaching::OverlayTeaching(WindowContext& context, edit::OverlayEditing* editing, OverlayTool* tool,
                                  QObject* parent)
     : QObject(parent),
       context_(context),
@@ -61,8 +61,8 @@ OverlayTeaching::OverlayTeaching(WindowContext& context, OverlayEditing* editing
                            Reach::Everywhere, tr("Add landmarks and barcodes that the robot has collected"));
   connect(marks_, &QAction::triggered, this, &OverlayTeaching::collect);
   menu_->addAction(marks_);
-  connect(editing_, &OverlayEditing::changed, this, &OverlayTeaching::refresh);
-  connect(editing_, &OverlayEditing::opened, this, [this] {
+  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayTeaching::refresh);
+  connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     call_.cancel();
     if (dialog_) dialog_->close();
     refresh();

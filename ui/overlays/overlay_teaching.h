@@ -26,7 +26,7 @@ class OverlayTeaching : public QObject {
   Q_OBJECT
  public:
   /// All must outlive this.
-  OverlayTeaching(WindowContext& context, OverlayEditing* editing, OverlayTool* tool,
+  OverlayTeaching(WindowContext& context, edit::OverlayEditing* editing, OverlayTool* tool,
                   QObject* parent = nullptr);
 
   void setSession(session::Session* session);
@@ -60,7 +60,7 @@ class OverlayTeaching : public QObject {
   void show(const Eigen::Vector2d& at_m);
 
   WindowContext& context_;
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   OverlayTool* tool_;
   QMenu* menu_;
   QAction *place_, *marks_;

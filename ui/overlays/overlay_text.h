@@ -1,12 +1,16 @@
-// Overlays in words (overlays/overlay_sentence.h), as this room calls them.
+// Overlays and the words for them (overlays/overlay_sentence.h), as this room calls them.
 #pragma once
 
+#include "overlays/editing_document.h"
 #include "overlays/overlay_sentence.h"
 
 namespace mapwright::window {
 
 using overlays::changeText;
+using overlays::Feature;
+using overlays::FeatureKey;
 using overlays::featuresText;
+using overlays::kCollectionKey;
 using overlays::overlayCalled;
 using overlays::overlayChangesText;
 using overlays::overlayKind;

@@ -16,8 +16,8 @@ namespace mapwright::window {
 using Eigen::Vector2d;
 using overlays::Shape;
 
-OverlayTool::OverlayTool(OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
-                         OverlaySnapping* snapping, QObject* parent)
+OverlayTool::OverlayTool(edit::OverlayEditing* editing, const scene::MapScene* scene,
+                         const OverlaysOnMap* on_map, OverlaySnapping* snapping, QObject* parent)
     : MapTool(parent),
       editing_(editing),
       scene_(scene),

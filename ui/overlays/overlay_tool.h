@@ -7,6 +7,7 @@
 
 #include "ui/overlays/overlay_draw.h"
 #include "ui/overlays/overlay_select.h"
+#include "ui/overlays/overlay_text.h"
 
 namespace mapwright::window {
 
@@ -14,7 +15,7 @@ class OverlayTool : public MapTool {
   Q_OBJECT
  public:
   /// All must outlive this.
-  OverlayTool(OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
+  OverlayTool(edit::OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
               OverlaySnapping* snapping, QObject* parent = nullptr);
 
   OverlayMode mode() const { return mode_; }
@@ -76,7 +77,7 @@ class OverlayTool : public MapTool {
   /// Where they moved what I moved, too.
   void paintTheirs(QPainter& painter) const;
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   const scene::MapScene* scene_;
   const OverlaysOnMap* on_map_;
   OverlaySelect* select_;

@@ -23,7 +23,7 @@ const QString kGeoJsonType = QStringLiteral("application/geo+json");
 
 }  // namespace
 
-OverlayTransfer::OverlayTransfer(WindowContext& context, OverlayEditing* editing, QObject* parent)
+OverlayTransfer::OverlayTransfer(WindowContext& context, edit::OverlayEditing* editing, QObject* parent)
     : QObject(parent), context_(context), editing_(editing) {
   const QString edit = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
   const auto add = [&](const char* id, const QString& text, const char* icon, const QString& tip) {
@@ -42,8 +42,8 @@ OverlayTransfer::OverlayTransfer(WindowContext& context, OverlayEditing* editing
   connect(cut_, &QAction::triggered, this, &OverlayTransfer::cut);
   connect(paste_, &QAction::triggered, this, [this] { paste(std::nullopt); });
   connect(paste_here_, &QAction::triggered, this, [this] { paste(context_.scene.view().center_m); });
-  connect(editing_, &OverlayEditing::changed, this, &OverlayTransfer::refresh);
-  connect(editing_, &OverlayEditing::selectionChanged, this, &OverlayTransfer::refresh);
+  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayTransfer::refresh);
+  connect(editing_, &edit::OverlayEditing::selectionChanged, this, &OverlayTransfer::refresh);
   refresh();
 }
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <QObject>
 
-#include "ui/overlays/overlay_editing.h"
+#include "edit/overlays/overlay_editing.h"
 #include "ui/shell/window_context.h"
 
 class QMenu;
@@ -17,7 +17,7 @@ class OverlayTransfer : public QObject {
   Q_OBJECT
  public:
   /// Both must outlive this.
-  OverlayTransfer(WindowContext& context, OverlayEditing* editing, QObject* parent = nullptr);
+  OverlayTransfer(WindowContext& context, edit::OverlayEditing* editing, QObject* parent = nullptr);
 
   void addTo(QMenu& menu);
   void copy();
@@ -29,7 +29,7 @@ class OverlayTransfer : public QObject {
   void refresh();
 
   WindowContext& context_;
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   QAction *copy_, *cut_, *paste_, *paste_here_;
 };
 

@@ -58,7 +58,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
   addHistory();
-  connect(&editing_, &OverlayEditing::changed, this, &OverlaysController::onChange);
+  connect(&editing_, &edit::OverlayEditing::changed, this, &OverlaysController::onChange);
   connect(tool_, &OverlayTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Overlays, true);
     context_.undo.setActiveStack(&editing_.undoStack());
@@ -99,7 +99,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
     way_.show({});
     check();
   });
-  connect(&editing_, &OverlayEditing::selectionChanged, this, [this] {
+  connect(&editing_, &edit::OverlayEditing::selectionChanged, this, [this] {
     ++way_requests_;
     way_.show({});
   });
@@ -222,27 +222,27 @@ void OverlaysController::openTargetNow(Target target) {
   onMapOpened(target.map);
   on_map_->setMap(target.map, target.robots);
   if (overlays_) return overlays_->setTarget(std::move(target));
-  overlays_ = std::make_unique<OverlaySession>(
+  overlays_ = std::make_unique<edit::OverlaySession>(
       [this] { return session_ ? session_->robot().overlayStore() : nullptr; }, std::move(target),
       session_->robot().address(), editing_, context_.edit);
-  OverlaySession* const opened = overlays_.get();
-  connect(opened, &OverlaySession::changed, this, &OverlaysController::syncMap);
+  edit::OverlaySession* const opened = overlays_.get();
+  connect(opened, &edit::OverlaySession::changed, this, &OverlaysController::syncMap);
   followDrafts(*opened, dock_);
-  connect(opened, &OverlaySession::seen, this, &OverlaysController::onSeen);
-  connect(opened, &OverlaySession::opened, this, [this] {
+  connect(opened, &edit::OverlaySession::seen, this, &OverlaysController::onSeen);
+  connect(opened, &edit::OverlaySession::opened, this, [this] {
     if (ofFile()) context_.panels.open(dock_);
     context_.undo.setActiveStack(&editing_.undoStack());
   });
-  connect(opened, &OverlaySession::changedThere, this, [this](qsizetype features) {
+  connect(opened, &edit::OverlaySession::changedThere, this, [this](qsizetype features) {
     context_.overlay.toasts()->add(
         Mark::Warning, tr("Someone else changed overlays of %1: %2.").arg(mapName(), featuresText(features)));
   });
-  connect(opened, &OverlaySession::merged, this, [this] {
+  connect(opened, &edit::OverlaySession::merged, this, [this] {
     if (review_) reviewAnew();
   });
-  connect(opened, &OverlaySession::doubtSettled, this, &OverlaysController::onDoubtSettled);
-  connect(opened, &OverlaySession::ended, this, &OverlaysController::onOutcome);
-  connect(opened, &OverlaySession::failed, this, &OverlaysController::onFailed);
+  connect(opened, &edit::OverlaySession::doubtSettled, this, &OverlaysController::onDoubtSettled);
+  connect(opened, &edit::OverlaySession::ended, this, &OverlaysController::onOutcome);
+  connect(opened, &edit::OverlaySession::failed, this, &OverlaysController::onFailed);
 }
 
 bool OverlaysController::ofFile() const {
@@ -363,7 +363,7 @@ void OverlaysController::readIfChanged() {
   const auto& info = session_ ? session_->live().map_info : std::nullopt;
   const auto& held = overlays_->held();
   if (overlays_->target().robots && info && held.version && info->overlays_version > held.version)
-    QMetaObject::invokeMethod(overlays_.get(), &OverlaySession::read, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(overlays_.get(), &edit::OverlaySession::read, Qt::QueuedConnection);
 }
 
 void OverlaysController::onFailed(const map::Failure& failure) {

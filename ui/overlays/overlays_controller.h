@@ -9,12 +9,13 @@
 
 #include <QPointer>
 
+#include "edit/overlays/overlay_editing.h"
+#include "edit/overlays/overlay_session.h"
 #include "jobs/change_overlays.h"
 #include "overlays/overlay_check.h"
-#include "ui/overlays/overlay_editing.h"
 #include "ui/overlays/overlay_history.h"
 #include "ui/overlays/overlay_marks.h"
-#include "ui/overlays/overlay_session.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_on_map.h"
 #include "ui/shell/editor_controller.h"
 #include "work/workers.h"
@@ -43,7 +44,7 @@ class OverlaysController : public EditorController {
   void save() override;
   edit::EditSession* edited() const override { return overlays_.get(); }
 
-  OverlayEditing* editing() { return &editing_; }
+  edit::OverlayEditing* editing() { return &editing_; }
   OverlayTool* tool() const { return tool_; }
   OverlaysDock* dock() const { return dock_; }
   OverlaySnapping* snapping() const { return snapping_; }
@@ -64,7 +65,7 @@ class OverlaysController : public EditorController {
   void fileWritten();
 
  private:
-  using Target = OverlaySession::Target;
+  using Target = edit::OverlaySession::Target;
   DraftWords draftWords() const override;
   QString amountText(qsizetype changes) const override;
   LeaveQuestion leaveQuestion() const override;
@@ -120,7 +121,7 @@ class OverlaysController : public EditorController {
   void restoreVersion(const overlays::OverlayDocument& version, const QString& called);
   void saveVersion(const QString& suggested, const std::string& text);
 
-  OverlayEditing editing_;
+  edit::OverlayEditing editing_;
   OverlaysOnMap* on_map_;
   OverlaySnapping* snapping_;
   OverlayTool* tool_;
@@ -130,7 +131,7 @@ class OverlaysController : public EditorController {
   OverlayMarks marks_, way_, states_;
   OverlayHistoryDock* history_dock_;
   QAction* tool_action_ = nullptr;
-  std::unique_ptr<OverlaySession> overlays_;  // of the map that can be edited; null: none can
+  std::unique_ptr<edit::OverlaySession> overlays_;  // of the map that can be edited; null: none can
   bool online_ = false;
   QString trouble_;     // of saving
   quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored

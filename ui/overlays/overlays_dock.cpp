@@ -34,7 +34,7 @@ namespace mapwright::window {
 
 using overlays::EditingDocument;
 
-OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* parent)
+OverlaysDock::OverlaysDock(edit::OverlayEditing* editing, OverlayTool* tool, QWidget* parent)
     : QDockWidget(tr("Overlays"), parent),
       editing_(editing),
       tool_(tool),
@@ -115,7 +115,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   end->setLayout(rowOf({discard_, history_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
   setScrolledWidget(*this, whole, end);
 
-  connect(discard_, &QPushButton::clicked, editing_, &OverlayEditing::revert);
+  connect(discard_, &QPushButton::clicked, editing_, &edit::OverlayEditing::revert);
   connect(review_, &QPushButton::clicked, this, &OverlaysDock::reviewWanted);
   connect(retry_, &QPushButton::clicked, this, &OverlaysDock::retryWanted);
   connect(history_, &QToolButton::clicked, this, &OverlaysDock::historyWanted);
@@ -131,12 +131,12 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     Q_EMIT locateWanted(model_->key(sorted_->mapToSource(index)));
   });
-  connect(editing_, &OverlayEditing::changed, this, [this] {
+  connect(editing_, &edit::OverlayEditing::changed, this, [this] {
     // Its row may be elsewhere now.
     if (const auto key = editing_->only()) table_->scrollTo(sorted_->mapFromSource(model_->indexOf(*key)));
     refresh();
   });
-  connect(editing_, &OverlayEditing::selectionChanged, this, [this] {
+  connect(editing_, &edit::OverlayEditing::selectionChanged, this, [this] {
     showSelection();
     refresh();
   });
@@ -195,8 +195,8 @@ void OverlaysDock::buildModes() {
   radius_row_->setLayout(
       rowOf({new QLabel(tr("Radius"), radius_row_), {radius_, 1}}, 6, QMargins(6, 2, 6, 0)));
   connect(radius_, &QDoubleSpinBox::valueChanged, tool_, &OverlayTool::setCircleRadius);
-  connect(duplicate_, &QToolButton::clicked, editing_, &OverlayEditing::duplicateSelected);
-  connect(remove_, &QToolButton::clicked, editing_, &OverlayEditing::removeSelected);
+  connect(duplicate_, &QToolButton::clicked, editing_, &edit::OverlayEditing::duplicateSelected);
+  connect(remove_, &QToolButton::clicked, editing_, &edit::OverlayEditing::removeSelected);
   connect(new_type_, &QComboBox::activated, this,
           [this] { tool_->setNewType(shapeOf(tool_->mode()), new_type_->currentData().toInt()); });
 }
@@ -422,12 +422,13 @@ void OverlaysDock::showMenu(const QPoint& at) {
   menu.addAction(tr("&Copy"), this, &OverlaysDock::copyWanted)->setEnabled(any);
   menu.addAction(tr("C&ut"), this, &OverlaysDock::cutWanted)->setEnabled(editable && any);
   menu.addAction(tr("&Paste"), this, &OverlaysDock::pasteWanted)->setEnabled(editable);
-  menu.addAction(tr("D&uplicate"), editing_, &OverlayEditing::duplicateSelected)->setEnabled(editable && any);
+  menu.addAction(tr("D&uplicate"), editing_, &edit::OverlayEditing::duplicateSelected)
+      ->setEnabled(editable && any);
   menu.addSeparator();
   menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })
       ->setEnabled(editable && !deleted.empty());
   menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
-                 &OverlayEditing::removeSelected)
+                 &edit::OverlayEditing::removeSelected)
       ->setEnabled(editable && any);
   menu.exec(table_->viewport()->mapToGlobal(at));
 }

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 
 #include "ui/overlays/overlay_flaws.h"
+#include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlay_tool.h"
 
 class QAction;
@@ -33,7 +34,7 @@ class OverlaysDock : public QDockWidget {
   Q_OBJECT
  public:
   /// Both must outlive this.
-  OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* parent = nullptr);
+  OverlaysDock(edit::OverlayEditing* editing, OverlayTool* tool, QWidget* parent = nullptr);
   ~OverlaysDock() override;
 
   /// Why nothing is shown; empty = something is. `may_retry`: reading failed.
@@ -108,7 +109,7 @@ class OverlaysDock : public QDockWidget {
   QString statusText() const;
   QString emptyText() const;
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   OverlayTool* tool_;
   QString unavailable_reason_, trouble_;
   bool saving_ = false, may_save_ = false, may_retry_ = false, showing_selection_ = false;

@@ -17,9 +17,9 @@ namespace mapwright::window {
 
 using State = overlays::EditingDocument::State;
 
-OverlaysModel::OverlaysModel(OverlayEditing* editing, QObject* parent)
+OverlaysModel::OverlaysModel(edit::OverlayEditing* editing, QObject* parent)
     : QAbstractTableModel(parent), editing_(editing) {
-  connect(editing_, &OverlayEditing::changed, this, &OverlaysModel::onEditingChanged);
+  connect(editing_, &edit::OverlayEditing::changed, this, &OverlaysModel::onEditingChanged);
 }
 
 void OverlaysModel::setFlawed(std::set<FeatureKey> keys) {

@@ -9,7 +9,8 @@
 #include <QCollator>
 #include <QSortFilterProxyModel>
 
-#include "ui/overlays/overlay_editing.h"
+#include "edit/overlays/overlay_editing.h"
+#include "ui/overlays/overlay_text.h"
 
 namespace mapwright::window {
 
@@ -29,7 +30,7 @@ class OverlaysModel : public QAbstractTableModel {
   static constexpr int kNamelessRole = Qt::UserRole + 2;
 
   /// `editing` must outlive this.
-  explicit OverlaysModel(OverlayEditing* editing, QObject* parent = nullptr);
+  explicit OverlaysModel(edit::OverlayEditing* editing, QObject* parent = nullptr);
   void setFlawed(std::set<FeatureKey> keys);
 
   FeatureKey key(const QModelIndex& index) const { return rows_[std::size_t(index.row())].key; }
@@ -47,7 +48,7 @@ class OverlaysModel : public QAbstractTableModel {
   /// As it is, or as the robot holds it when it was deleted here.
   const Feature* shown(FeatureKey key) const;
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   /// What is shown of one, made once for as long as it stays the same.
   struct Row {
     FeatureKey key = 0;

@@ -5,13 +5,14 @@
 
 #include "overlays/drawn_parts.h"
 #include "scene/drawing.h"
+#include "ui/overlays/overlay_text.h"
 
 namespace mapwright::window {
 
-OverlaysOnMap::OverlaysOnMap(OverlayEditing* editing, scene::MapScene* scene, QObject* parent)
+OverlaysOnMap::OverlaysOnMap(edit::OverlayEditing* editing, scene::MapScene* scene, QObject* parent)
     : QObject(parent), editing_(editing), scene_(scene) {
-  connect(editing_, &OverlayEditing::changed, this, &OverlaysOnMap::draw);
-  connect(editing_, &OverlayEditing::previewChanged, this, &OverlaysOnMap::drawPreview);
+  connect(editing_, &edit::OverlayEditing::changed, this, &OverlaysOnMap::draw);
+  connect(editing_, &edit::OverlayEditing::previewChanged, this, &OverlaysOnMap::drawPreview);
 }
 
 void OverlaysOnMap::setMap(const map::MapKey& map, bool robots) {

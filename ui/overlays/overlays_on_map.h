@@ -8,9 +8,10 @@
 
 #include <QObject>
 
+#include "edit/overlays/overlay_editing.h"
 #include "overlays/overlay_shapes.h"
 #include "scene/map_scene.h"
-#include "ui/overlays/overlay_editing.h"
+#include "ui/overlays/overlay_text.h"
 
 namespace mapwright::window {
 
@@ -21,7 +22,7 @@ class OverlaysOnMap : public QObject {
   Q_OBJECT
  public:
   /// Both must outlive this.
-  OverlaysOnMap(OverlayEditing* editing, scene::MapScene* scene, QObject* parent = nullptr);
+  OverlaysOnMap(edit::OverlayEditing* editing, scene::MapScene* scene, QObject* parent = nullptr);
 
   /// Whose overlays they are. `robots`: the robot is in that map.
   void setMap(const map::MapKey& map, bool robots);
@@ -47,7 +48,7 @@ class OverlaysOnMap : public QObject {
   void drawPreview();
   void drawLifted();
 
-  OverlayEditing* editing_;
+  edit::OverlayEditing* editing_;
   scene::MapScene* scene_;
   map::MapKey map_;
   bool robots_ = false;

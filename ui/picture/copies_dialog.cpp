@@ -25,7 +25,8 @@ constexpr int kLongestName = 120;
 }  // namespace
 
 CopiesDialog::CopiesDialog(const QString& folder,
-                           std::function<QString(const PictureCopy&)> unavailable_reason, QWidget* parent)
+                           std::function<QString(const edit::PictureCopy&)> unavailable_reason,
+                           QWidget* parent)
     : QDialog(parent),
       folder_(folder),
       unavailable_reason_(std::move(unavailable_reason)),
@@ -41,7 +42,8 @@ CopiesDialog::CopiesDialog(const QString& folder,
   about_->setText(
       tr("Before a robot's map is overwritten, its old picture is kept in %1: the newest %2 of each "
          "map, and at most %3 in all.")
-          .arg(QDir::toNativeSeparators(folder_), QString::number(kMostCopies), bytesText(kMostCopyBytes)));
+          .arg(QDir::toNativeSeparators(folder_), QString::number(edit::kMostCopies),
+               bytesText(edit::kMostCopyBytes)));
   setTextColor(*about_, appColors().secondary_text);
   table_->setHorizontalHeaderLabels({tr("Overwritten"), tr("Map"), tr("Robot"), tr("Size")});
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -71,24 +73,24 @@ CopiesDialog::CopiesDialog(const QString& folder,
                12, QMargins(16, 16, 16, 16)));
   connect(table_, &QTableWidget::itemSelectionChanged, this, &CopiesDialog::refresh);
   connect(put_back_, &QPushButton::clicked, this, [this] {
-    if (const PictureCopy* const copy = chosen()) Q_EMIT putBackWanted(PictureCopy(*copy));
+    if (const edit::PictureCopy* const copy = chosen()) Q_EMIT putBackWanted(edit::PictureCopy(*copy));
   });
   connect(open_, &QPushButton::clicked, this, [this] {
-    if (const PictureCopy* const copy = chosen()) Q_EMIT openWanted(QString(copy->path));
+    if (const edit::PictureCopy* const copy = chosen()) Q_EMIT openWanted(QString(copy->path));
   });
   connect(show_, &QPushButton::clicked, this, [this] {
-    const PictureCopy* const copy = chosen();
+    const edit::PictureCopy* const copy = chosen();
     Q_EMIT folderWanted(copy ? copy->folder() : folder_);
   });
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   refresh();
 }
 
-void CopiesDialog::list(std::vector<PictureCopy> copies) {
+void CopiesDialog::list(std::vector<edit::PictureCopy> copies) {
   copies_ = std::move(copies);
   table_->setRowCount(int(copies_->size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const PictureCopy& copy = (*copies_)[std::size_t(row)];
+    const edit::PictureCopy& copy = (*copies_)[std::size_t(row)];
     const QLocale c = QLocale::c();
     const QString size =
         copy.width > 0 ? tr("%1 x %2 cells, %3")
@@ -108,13 +110,13 @@ void CopiesDialog::list(std::vector<PictureCopy> copies) {
   refresh();
 }
 
-const PictureCopy* CopiesDialog::chosen() const {
+const edit::PictureCopy* CopiesDialog::chosen() const {
   const QList<QTableWidgetSelectionRange> ranges = table_->selectedRanges();
   return !copies_ || ranges.isEmpty() ? nullptr : &(*copies_)[std::size_t(ranges.front().topRow())];
 }
 
 void CopiesDialog::refresh() {
-  const PictureCopy* const copy = chosen();
+  const edit::PictureCopy* const copy = chosen();
   const QString why = !copies_           ? tr("Looking for copies…")
                       : copies_->empty() ? tr("There are none yet.")
                       : !copy            ? QString()

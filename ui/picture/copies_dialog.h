@@ -8,7 +8,7 @@
 
 #include <QDialog>
 
-#include "ui/picture/picture_copies.h"
+#include "edit/picture/picture_copies.h"
 
 class QLabel;
 class QPushButton;
@@ -20,10 +20,10 @@ class CopiesDialog : public QDialog {
   Q_OBJECT
  public:
   /// `folder`: of all of them. `unavailable_reason`: why a copy cannot be put back now; empty = it can.
-  CopiesDialog(const QString& folder, std::function<QString(const PictureCopy&)> unavailable_reason,
+  CopiesDialog(const QString& folder, std::function<QString(const edit::PictureCopy&)> unavailable_reason,
                QWidget* parent = nullptr);
   /// The newest first.
-  void list(std::vector<PictureCopy> copies);
+  void list(std::vector<edit::PictureCopy> copies);
   /// What can be put back may have changed.
   void refresh();
 
@@ -34,16 +34,16 @@ class CopiesDialog : public QDialog {
   QString statusShown() const;
 
  Q_SIGNALS:
-  void putBackWanted(const mapwright::window::PictureCopy& copy);
+  void putBackWanted(const mapwright::edit::PictureCopy& copy);
   void openWanted(const QString& path);
   void folderWanted(const QString& folder);
 
  private:
-  const PictureCopy* chosen() const;  // null = none
+  const edit::PictureCopy* chosen() const;  // null = none
 
   QString folder_;
-  std::function<QString(const PictureCopy&)> unavailable_reason_;
-  std::optional<std::vector<PictureCopy>> copies_;
+  std::function<QString(const edit::PictureCopy&)> unavailable_reason_;
+  std::optional<std::vector<edit::PictureCopy>> copies_;
   QLabel *about_, *status_;
   QTableWidget* table_;
   QPushButton *put_back_, *open_, *show_;

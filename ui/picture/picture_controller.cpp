@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QUrl>
 
-#include "jobs/export_map.h"
 #include "map/waypoint.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
@@ -24,6 +23,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
+#include "words/file_name.h"
 
 namespace mapwright::window {
 namespace {
@@ -49,18 +49,18 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
                               .idle = lacksForGood(context_.current, {robot::Capability::PictureEditing})});
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
-  connect(&editing_, &PictureEditing::cellsChanged, this, [this](const geometry::WorldRect& where) {
+  connect(&editing_, &edit::PictureEditing::cellsChanged, this, [this](const geometry::WorldRect& where) {
     if (!shown_) showCells();
     context_.scene.editedCellsChanged(where);
   });
-  connect(&editing_, &PictureEditing::previewChanged, this, &PictureController::showCells);
-  connect(&editing_, &PictureEditing::stateChanged, this, [this] {
+  connect(&editing_, &edit::PictureEditing::previewChanged, this, &PictureController::showCells);
+  connect(&editing_, &edit::PictureEditing::stateChanged, this, [this] {
     onEdited();
     refresh();
     if (when_reverted_ && !editing_.reckoning())
       QMetaObject::invokeMethod(this, std::exchange(when_reverted_, nullptr), Qt::QueuedConnection);
   });
-  connect(&editing_, &PictureEditing::stepsForgotten, this, &PictureController::reportForgotten);
+  connect(&editing_, &edit::PictureEditing::stepsForgotten, this, &PictureController::reportForgotten);
   const std::size_t undo_mb =
       std::clamp<std::size_t>(context_.settings.value(kUndoMb, kUsualUndoMb).toUInt(), 16, 65'536);
   editing_.setUndoBudget(undo_mb << 20);
@@ -77,7 +77,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     tool_->setMode(mode);
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
   });
-  connect(dock_, &PictureDock::lookWanted, this, [this](Tidying what, int cells) {
+  connect(dock_, &PictureDock::lookWanted, this, [this](edit::Tidying what, int cells) {
     // Its keys belong to the tool, on the map.
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
     editing_.lookFor(what, cells);
@@ -197,7 +197,7 @@ void PictureController::openOnceChecked(const MapSlot& slot) {
   });
 }
 
-PictureSession::Picture PictureController::pictureOf(const MapSlot& slot) const {
+edit::PictureSession::Picture PictureController::pictureOf(const MapSlot& slot) const {
   return {slot.cells(), slot.reference(), slot.shown().fingerprint,
           session_->robot().pictureStore()->holdsUnknown(slot.shown())};
 }
@@ -206,29 +206,30 @@ void PictureController::openMap(const MapSlot& slot) {
   cell_check_ = {};
   forgetting_reported_ = false;
   ++opened_;
-  picture_ = std::make_unique<PictureSession>(
+  picture_ = std::make_unique<edit::PictureSession>(
       [this] { return session_ ? session_->robot().pictureStore() : nullptr; }, slot.shown().key,
       session_->robot().address(), pictureOf(slot), editing_, context_.edit);
-  PictureSession* const opened = picture_.get();
-  connect(opened, &PictureSession::changed, this, &PictureController::syncMap);
+  edit::PictureSession* const opened = picture_.get();
+  connect(opened, &edit::PictureSession::changed, this, &PictureController::syncMap);
   followDrafts(*opened, dock_);
-  connect(opened, &PictureSession::saved, this, [this] { onAllSaved(); });
-  connect(opened, &PictureSession::progressed, this, [this](double share) { dock_->setTravelled(share); });
-  connect(opened, &PictureSession::notCopied, this, [this](const Fault& trouble) {
+  connect(opened, &edit::PictureSession::saved, this, [this] { onAllSaved(); });
+  connect(opened, &edit::PictureSession::progressed, this,
+          [this](double share) { dock_->setTravelled(share); });
+  connect(opened, &edit::PictureSession::notCopied, this, [this](const Fault& trouble) {
     reportNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
                          .arg(sentences::wordsOf(trouble)));
     syncMap();
   });
-  connect(opened, &PictureSession::ended, this, &PictureController::onEnded);
-  connect(opened, &PictureSession::merged, this, &PictureController::onMerged);
-  connect(opened, &PictureSession::replaced, this, &PictureController::onReplaced);
-  connect(opened, &PictureSession::doubtSettled, this, &PictureController::onDoubtSettled);
-  connect(opened, &PictureSession::restored, this, [this](qint64 elsewhere) {
+  connect(opened, &edit::PictureSession::ended, this, &PictureController::onEnded);
+  connect(opened, &edit::PictureSession::merged, this, &PictureController::onMerged);
+  connect(opened, &edit::PictureSession::replaced, this, &PictureController::onReplaced);
+  connect(opened, &edit::PictureSession::doubtSettled, this, &PictureController::onDoubtSettled);
+  connect(opened, &edit::PictureSession::restored, this, [this](qint64 elsewhere) {
     if (elsewhere == 0) return;
     context_.overlay.toasts()->add(
         Mark::Warning, tr("Since this draft was made, someone else has also changed these parts of the map: "
                           "%1. Your changes are shown; use undo to see the others.")
-                           .arg(cellsText(elsewhere)));
+                           .arg(edit::cellsText(elsewhere)));
   });
 }
 
@@ -255,7 +256,7 @@ EditorController::DraftWords PictureController::draftWords() const {
           tr("The changes to the map are lost. %1")};
 }
 
-QString PictureController::amountText(qsizetype changes) const { return cellsText(changes); }
+QString PictureController::amountText(qsizetype changes) const { return edit::cellsText(changes); }
 
 void PictureController::onReplaced(qint64 lost) {
   ++opened_;
@@ -265,7 +266,7 @@ void PictureController::onReplaced(qint64 lost) {
   if (lost > 0)
     context_.overlay.toasts()->add(Mark::Bad, tr("The map was replaced by one of another size or position. "
                                                  "The unsaved changes do not fit it and were discarded: %1.")
-                                                  .arg(cellsText(lost)));
+                                                  .arg(edit::cellsText(lost)));
 }
 
 void PictureController::showCells() {
@@ -368,12 +369,12 @@ void PictureController::askToSend() {
   sending_question_->setTextFormat(Qt::PlainText);
   const QString copies = copiesHere();
   QString about = tr("%1 changed. The robot will use the new picture. It does not keep the old one.")
-                      .arg(cellsText(editing_.changedCells()));
+                      .arg(edit::cellsText(editing_.changedCells()));
   if (!copies.isEmpty())
     about += QLatin1Char('\n') + tr("A copy of the old picture is saved in %1 as a local map. The latest %2 "
                                     "copies of each map are kept.")
                                      .arg(QDir::toNativeSeparators(copies))
-                                     .arg(kMostCopies);
+                                     .arg(edit::kMostCopies);
   sending_question_->setInformativeText(about);
   sending_question_->setAttribute(Qt::WA_DeleteOnClose);
   QPushButton* const send_button = sending_question_->addButton(tr("Send"), QMessageBox::AcceptRole);
@@ -384,7 +385,7 @@ void PictureController::askToSend() {
     QMessageBox* const asked = std::exchange(sending_question_, nullptr);
     if (asked->clickedButton() == send_button && opened == opened_) {
       const QString folder = copiesHere();
-      return send(folder.isEmpty() ? QString() : copyPath(folder, context_.edit.now()));
+      return send(folder.isEmpty() ? QString() : edit::copyPath(folder, context_.edit.now()));
     }
     stay();
   });
@@ -399,17 +400,17 @@ void PictureController::send(const QString& copy) {
 }
 
 QString PictureController::copiesHere() const {
-  return copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
+  return edit::copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
 }
 
 CopiesDialog* PictureController::copiesDialog() const { return copies_; }
 
 void PictureController::showCopies() {
   if (copies_) return copies_->raise();
-  const QString folder = allCopiesFolder(context_.edit.drafts_folder);
+  const QString folder = edit::allCopiesFolder(context_.edit.drafts_folder);
   if (folder.isEmpty()) return;
   copies_ = new CopiesDialog(
-      folder, [this](const PictureCopy& copy) { return notPutBackReason(copy); }, &context_.window);
+      folder, [this](const edit::PictureCopy& copy) { return notPutBackReason(copy); }, &context_.window);
   copies_->setAttribute(Qt::WA_DeleteOnClose);
   connect(copies_, &CopiesDialog::putBackWanted, this, &PictureController::putBack);
   connect(copies_, &CopiesDialog::openWanted, this, [this](const QString& path) {
@@ -418,17 +419,17 @@ void PictureController::showCopies() {
   });
   connect(copies_, &CopiesDialog::folderWanted, this,
           [](const QString& there) { QDesktopServices::openUrl(QUrl::fromLocalFile(there)); });
-  connect(&editing_, &PictureEditing::stateChanged, copies_, &CopiesDialog::refresh);
+  connect(&editing_, &edit::PictureEditing::stateChanged, copies_, &CopiesDialog::refresh);
   copies_->open();
   share_.startLong([this, folder, dialog = copies_] {
-    auto found = std::make_shared<std::vector<PictureCopy>>(copiesKept(folder));
+    auto found = std::make_shared<std::vector<edit::PictureCopy>>(edit::copiesKept(folder));
     QMetaObject::invokeMethod(
         this,
         [this, dialog, found] {
           if (!dialog) return;
           for (const auto& [address, called] : named_ ? named_() : Named()) {
-            const QString kept_as = jobs::fileNameFrom(address);
-            for (PictureCopy& copy : *found) {
+            const QString kept_as = words::shortFileName(address, QStringLiteral("map"));
+            for (edit::PictureCopy& copy : *found) {
               if (copy.robot == kept_as) copy.called = called;
             }
           }
@@ -438,7 +439,7 @@ void PictureController::showCopies() {
   });
 }
 
-QString PictureController::notPutBackReason(const PictureCopy& copy) const {
+QString PictureController::notPutBackReason(const edit::PictureCopy& copy) const {
   if (!session_ || !session_->wholeMap().cells() || copy.folder() != copiesHere())
     return tr("This is a copy of another map. To put it back, open its map from its robot first.");
   if (!editing_.isOpen()) {
@@ -448,13 +449,14 @@ QString PictureController::notPutBackReason(const PictureCopy& copy) const {
   return saving() ? tr("The map is being saved.") : QString();
 }
 
-void PictureController::putBack(const PictureCopy& copy) {
+void PictureController::putBack(const edit::PictureCopy& copy) {
   if (!notPutBackReason(copy).isEmpty()) return;
   copies_->accept();
   if (stop_reading_) stop_reading_->store(true);
   stop_reading_ = std::make_shared<std::atomic<bool>>(false);
   share_.startLong([this, copy, stop = stop_reading_, opened = opened_] {
-    const auto read = std::make_shared<tl::expected<ReadCopy, QString>>(readCopy(copy.path, *stop));
+    const auto read =
+        std::make_shared<tl::expected<edit::ReadCopy, QString>>(edit::readCopy(copy.path, *stop));
     const QString when = copy.made.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
     QMetaObject::invokeMethod(
         this,
@@ -465,7 +467,7 @@ void PictureController::putBack(const PictureCopy& copy) {
   });
 }
 
-void PictureController::onCopyRead(const QString& when, const tl::expected<ReadCopy, QString>& read) {
+void PictureController::onCopyRead(const QString& when, const tl::expected<edit::ReadCopy, QString>& read) {
   ToastStack* const toasts = context_.overlay.toasts();
   if (!read) return toasts->add(Mark::Bad, tr("The copy cannot be put back. %1").arg(read.error()));
   const map::GridReference &there = read->place, &here = editing_.reference();
@@ -511,13 +513,13 @@ void PictureController::reportNotWritten(const QString& sentence, map::Applied a
                applied == map::Applied::No ? tr("The map was not saved. %1").arg(trouble_) : trouble_);
 }
 
-void PictureController::onDoubtSettled(PictureSession::DoubtEnd end) {
+void PictureController::onDoubtSettled(edit::PictureSession::DoubtEnd end) {
   switch (end) {
-    case PictureSession::DoubtEnd::Stored:
+    case edit::PictureSession::DoubtEnd::Stored:
       return reportDoubt(Mark::Good, tr("%1 was saved: the robot has the new picture."));
-    case PictureSession::DoubtEnd::AsBefore:
+    case edit::PictureSession::DoubtEnd::AsBefore:
       return reportDoubt(Mark::Bad, tr("%1 was not saved: the robot has the same picture as before."));
-    case PictureSession::DoubtEnd::Other:
+    case edit::PictureSession::DoubtEnd::Other:
       return reportDoubt(Mark::Warning,
                          tr("%1 was not saved as it was sent: the robot has another picture."));
   }
@@ -588,7 +590,7 @@ QString PictureController::mapName() const {
 
 EditorController::LeaveQuestion PictureController::leaveQuestion() const {
   return {tr("The map is not saved"),
-          tr("Changes to %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells()))};
+          tr("Changes to %1 are not saved: %2.").arg(mapName(), edit::cellsText(editing_.changedCells()))};
 }
 
 void PictureController::discardAll(std::function<void()> then) {

@@ -9,10 +9,10 @@
 #include <QMessageBox>
 #include <QPointer>
 
+#include "edit/picture/picture_copies.h"
+#include "edit/picture/picture_editing.h"
+#include "edit/picture/picture_session.h"
 #include "ui/kit/status_text.h"
-#include "ui/picture/picture_copies.h"
-#include "ui/picture/picture_editing.h"
-#include "ui/picture/picture_session.h"
 #include "ui/shell/editor_controller.h"
 
 namespace mapwright::window {
@@ -32,7 +32,7 @@ class PictureController : public EditorController {
   edit::EditSession* edited() const override { return picture_.get(); }
   bool escape() override;
 
-  PictureEditing* editing() { return &editing_; }
+  edit::PictureEditing* editing() { return &editing_; }
   PictureTool* tool() const { return tool_; }
   PictureDock* dock() const { return dock_; }
   /// Before a robot's map is overwritten; null: nothing is asked.
@@ -63,7 +63,7 @@ class PictureController : public EditorController {
   void reportForgotten();
   void openOnceChecked(const session::MapSlot& slot);
   void openMap(const session::MapSlot& slot);
-  PictureSession::Picture pictureOf(const session::MapSlot& slot) const;
+  edit::PictureSession::Picture pictureOf(const session::MapSlot& slot) const;
   void onReplaced(qint64 lost);
   void showCells();
   void refresh();
@@ -75,25 +75,25 @@ class PictureController : public EditorController {
   void askToSend();
   void send(const QString& copy);
   void reportNotWritten(const QString& sentence, map::Applied applied = map::Applied::No);
-  void onDoubtSettled(PictureSession::DoubtEnd end);
+  void onDoubtSettled(edit::PictureSession::DoubtEnd end);
   void reportDoubt(Mark mark, const QString& sentence);
   QString copiesHere() const;
   void showCopies();
-  QString notPutBackReason(const PictureCopy& copy) const;
-  void putBack(const PictureCopy& copy);
-  void onCopyRead(const QString& when, const tl::expected<ReadCopy, QString>& read);
+  QString notPutBackReason(const edit::PictureCopy& copy) const;
+  void putBack(const edit::PictureCopy& copy);
+  void onCopyRead(const QString& when, const tl::expected<edit::ReadCopy, QString>& read);
   void turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when);
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;
   QString mapName() const;
 
-  PictureEditing editing_;
+  edit::PictureEditing editing_;
   PictureTool* tool_;
   PictureDock* dock_;
   QAction* tool_action_ = nullptr;
-  std::unique_ptr<PictureSession> picture_;  // null: none is open
-  std::optional<map::MapKey> wanted_map_;    // requested by the tool
+  std::unique_ptr<edit::PictureSession> picture_;  // null: none is open
+  std::optional<map::MapKey> wanted_map_;          // requested by the tool
   bool forgetting_reported_ = false;
   QString doubt_reported_;           // what was found of a doubt
   bool shown_ = false;               // the edited cells are drawn

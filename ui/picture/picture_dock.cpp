@@ -53,7 +53,7 @@ QVBoxLayout* partOf(QWidget* part, QVBoxLayout* column, const QMargins& margins)
 
 }  // namespace
 
-PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* parent)
+PictureDock::PictureDock(edit::PictureEditing* editing, PictureTool* tool, QWidget* parent)
     : QDockWidget(tr("Edit map"), parent),
       editing_(editing),
       tool_(tool),
@@ -76,7 +76,7 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
   all->setMinimumWidth(220);
   buildEnd();
   setScrolledWidget(*this, all, end_);
-  connect(editing_, &PictureEditing::stateChanged, this, &PictureDock::refresh);
+  connect(editing_, &edit::PictureEditing::stateChanged, this, &PictureDock::refresh);
   connect(tool_, &PictureTool::modeChanged, this, &PictureDock::refresh);
   refresh();
 }
@@ -160,7 +160,7 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
   size_->setAccessibleName(tr("Size of the brush"));
   size_->setToolTip(tr("Width of brush, eraser and line (on the map: comma and full stop)"));
   size_m_ = new QLabel(body_);
-  connect(size_, &QSpinBox::valueChanged, editing_, &PictureEditing::setAcross);
+  connect(size_, &QSpinBox::valueChanged, editing_, &edit::PictureEditing::setAcross);
   grid->addWidget(new QLabel(tr("Paint"), body_), 0, 0);
   grid->addLayout(row, 0, 1);
   grid->addWidget(new QLabel(tr("Size"), body_), 1, 0);
@@ -204,7 +204,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
     auto* look = compactButton(tr("Preview"), body_, tr("Show the result without changing anything"));
     look->setAccessibleName(tr("Preview: %1").arg(name));
     connect(look, &QPushButton::clicked, this,
-            [this, i, spin] { Q_EMIT lookWanted(Tidying(i), spin->value()); });
+            [this, i, spin] { Q_EMIT lookWanted(edit::Tidying(i), spin->value()); });
     grid->addWidget(label, i, 0);
     grid->addWidget(spin, i, 1);
     grid->addWidget(look, i, 2);
@@ -222,7 +222,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
   row->addWidget(found_, 1);
   row->addWidget(apply_);
   row->addWidget(drop);
-  connect(apply_, &QPushButton::clicked, editing_, &PictureEditing::applyPreview);
+  connect(apply_, &QPushButton::clicked, editing_, &edit::PictureEditing::applyPreview);
   connect(drop, &QPushButton::clicked, editing_, [this] {
     editing_->stop();
     editing_->dropPreview();
@@ -312,7 +312,7 @@ void PictureDock::keyPressEvent(QKeyEvent* event) {
   for (int i = 0; enter && i < int(tidy_sizes_.size()); ++i) {
     // Another number is looked at before it is applied.
     QSpinBox* const size = tidy_sizes_[std::size_t(i)];
-    if (size->hasFocus()) return Q_EMIT lookWanted(Tidying(i), size->value());
+    if (size->hasFocus()) return Q_EMIT lookWanted(edit::Tidying(i), size->value());
   }
   const bool any_preview = editing_->preview() || editing_->looking() || editing_->reckoning();
   const bool of_tool = (any_preview && (enter || key == Qt::Key_Escape)) || key == Qt::Key_Comma ||
@@ -328,17 +328,17 @@ QString PictureDock::statusText() const {
   if (saving_ && *travelled_ < 100) return tr("Sending: %1 %").arg(*travelled_);
   if (saving_) return tr("Sent. Waiting for the robot to show it…");
   const std::int64_t cells = editing_->changedCells();
-  return cells == 0 ? tr("No unsaved changes.") : tr("Changed: %1.").arg(cellsText(cells));
+  return cells == 0 ? tr("No unsaved changes.") : tr("Changed: %1.").arg(edit::cellsText(cells));
 }
 
 /// "Removes 12 specks (48 cells)."
 QString PictureDock::previewText() const {
   if (editing_->reckoning()) return tr("Computing…");
   if (!editing_->preview()) return tr("Preparing the preview…");
-  const TidyPreview& preview = *editing_->preview();
+  const edit::TidyPreview& preview = *editing_->preview();
   if (preview.step.patch.empty()) return tr("There is nothing to clean up.");
-  const QString cells = cellsText(preview.found.cells);
-  if (preview.what != Tidying::Specks) return tr("Changes %1.").arg(cells);
+  const QString cells = edit::cellsText(preview.found.cells);
+  if (preview.what != edit::Tidying::Specks) return tr("Changes %1.").arg(cells);
   const QString specks = sentences::counted(tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)),
                                             preview.found.pieces);
   return tr("Removes %1 (%2).").arg(specks, cells);
@@ -394,14 +394,14 @@ void PictureDock::refresh() {
   for (int i = 0; i < picture::kKinds; ++i) {
     const auto& preview = editing_->preview();
     const std::int64_t cells = preview ? preview->changes.become[std::size_t(i)] : 0;
-    legend_[std::size_t(i)].text->setText(becomes[std::size_t(i)].arg(cellsText(cells)));
+    legend_[std::size_t(i)].text->setText(becomes[std::size_t(i)].arg(edit::cellsText(cells)));
     legend_[std::size_t(i)].row->setVisible(cells > 0);
   }
   apply_->setVisible(!reckoning);
   apply_->setEnabled(editing_->preview() && !editing_->preview()->step.patch.empty());
   showPart(*decision_, editing_->conflicts() > 0);
   conflict_->setText(tr("Changed differently here and elsewhere: %1. Which version do you want to keep?")
-                         .arg(cellsText(editing_->conflicts())));
+                         .arg(edit::cellsText(editing_->conflicts())));
   setTextColor(*conflict_, appColors().warning_text);
   status_->setText(statusText());
   setTextColor(*status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);

@@ -20,7 +20,7 @@ class PictureDock : public QDockWidget {
   Q_OBJECT
  public:
   /// Both must outlive this.
-  PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* parent = nullptr);
+  PictureDock(edit::PictureEditing* editing, PictureTool* tool, QWidget* parent = nullptr);
 
   /// Why nothing can be edited; empty = it can.
   void setUnavailableReason(const QString& sentence);
@@ -34,8 +34,8 @@ class PictureDock : public QDockWidget {
   QToolButton* modeButton(PaintMode mode) const { return modes_[std::size_t(mode)]; }
   QToolButton* kindButton(picture::Kind kind) const { return kinds_[std::size_t(kind)]; }
   QSpinBox* sizeBox() const { return size_; }
-  QSpinBox* tidySize(Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
-  QPushButton* tidyButton(Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
+  QSpinBox* tidySize(edit::Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
+  QPushButton* tidyButton(edit::Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
   QPushButton* applyButton() const { return apply_; }
   QPushButton* useTheirsButton() const { return theirs_; }
   /// An earlier draft; empty = none.
@@ -49,7 +49,7 @@ class PictureDock : public QDockWidget {
   void draftWanted();
   void draftNotWanted();
   void modeWanted(mapwright::window::PaintMode mode);
-  void lookWanted(mapwright::window::Tidying what, int cells);
+  void lookWanted(mapwright::edit::Tidying what, int cells);
   void saveWanted();
   /// The part that had the focus is gone: otherwise keys for the map would be typed into the next field.
   void mapWanted();
@@ -74,7 +74,7 @@ class PictureDock : public QDockWidget {
   QString statusText() const;
   QString previewText() const;
 
-  PictureEditing* editing_;
+  edit::PictureEditing* editing_;
   PictureTool* tool_;
   QString unavailable_reason_, trouble_;
   bool saving_ = false;

@@ -33,10 +33,10 @@ BecomesLook becomesLook(picture::Kind kind) {
   return kLooks[std::size_t(kind)];
 }
 
-PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent)
+PictureTool::PictureTool(edit::PictureEditing* editing, scene::MapScene* scene, QObject* parent)
     : DragTool(scene, parent), editing_(editing) {
-  connect(editing_, &PictureEditing::stateChanged, this, [this] { notifyChanged(); });
-  connect(editing_, &PictureEditing::tooLarge, this, [this] {
+  connect(editing_, &edit::PictureEditing::stateChanged, this, [this] { notifyChanged(); });
+  connect(editing_, &edit::PictureEditing::tooLarge, this, [this] {
     Q_EMIT refused(
         tr("This area is too large to change at once. Draw lines to divide it, then change the parts."));
   });

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/picture/picture_editing.h"
+#include "edit/picture/picture_editing.h"
 #include "ui/view/drag_tool.h"
 
 namespace mapwright::window {
@@ -25,7 +25,7 @@ class PictureTool : public DragTool {
   Q_OBJECT
  public:
   /// Both must outlive this.
-  PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent = nullptr);
+  PictureTool(edit::PictureEditing* editing, scene::MapScene* scene, QObject* parent = nullptr);
 
   PaintMode mode() const { return mode_; }
   void setMode(PaintMode mode);
@@ -61,7 +61,7 @@ class PictureTool : public DragTool {
   void paintShape(QPainter& painter) const;
   void paintBrush(QPainter& painter) const;
 
-  PictureEditing* editing_;
+  edit::PictureEditing* editing_;
   PaintMode mode_ = PaintMode::Brush;
   std::optional<Eigen::Vector2d> hand_;   // the cursor, world metres
   std::vector<Eigen::Vector2d> corners_;  // of the polygon

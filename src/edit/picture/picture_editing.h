@@ -18,7 +18,7 @@
 #include "picture/tidy.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 /// "1,204 cells"
 QString cellsText(std::int64_t cells);
@@ -196,4 +196,4 @@ class PictureEditing : public QObject {
   work::Tasks share_;  // last
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

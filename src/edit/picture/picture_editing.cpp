@@ -1,4 +1,4 @@
-#include "ui/picture/picture_editing.h"
+#include "edit/picture/picture_editing.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,7 @@
 
 #include "sentences/plural.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 using picture::Canvas;
 using picture::CellRect;
@@ -634,6 +634,6 @@ void PictureEditing::decide(bool take_theirs) {
   Q_EMIT stateChanged();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit
 
 #include "moc_picture_editing.cpp"

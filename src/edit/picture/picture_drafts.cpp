@@ -1,9 +1,9 @@
-#include "ui/picture/picture_drafts.h"
+#include "edit/picture/picture_drafts.h"
 
 #include <set>
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::edit {
 namespace {
 
 using picture::kEdge;
@@ -33,10 +33,10 @@ std::optional<QByteArray> unpacked(const QString& text) {
 
 }  // namespace
 
-std::optional<TakenDraft> restoreDraft(const PictureDraft& draft, const picture::EditedGrid& grid) {
+std::optional<FittedDraft> fitDraft(const PictureDraft& draft, const picture::EditedGrid& grid) {
   if (draft.width != grid.width() || draft.height != grid.height() || draft.code != grid.code())
     return std::nullopt;
-  TakenDraft taken;
+  FittedDraft taken;
   picture::Canvas canvas(grid);
   for (const PictureDraft::Tile& tile : draft.tiles) {
     const picture::CellRect inside =
@@ -57,19 +57,19 @@ std::optional<TakenDraft> restoreDraft(const PictureDraft& draft, const picture:
   return taken;
 }
 
-QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
-                             const picture::EditedGrid& now, const picture::EditedGrid& saved) {
+QByteArray pictureDraftBytes(const DraftIdentity& of, const QDateTime& made, const picture::EditedGrid& now,
+                             const picture::EditedGrid& saved) {
   QJsonArray rows{QJsonObject{{kWidth, now.width()}, {kHeight, now.height()}, {kCode, int(now.code())}}};
   for (const auto& [key, count] : picture::DifferenceCount::between(now, saved).tiles) {
     const auto is = now.tile(0, key.x, key.y), was = saved.tile(0, key.x, key.y);
     if (!is || !was) continue;
     rows << QJsonObject{{kX, key.x}, {kY, key.y}, {kWas, packed(*was)}, {kIs, packed(*is)}};
   }
-  return edit::toBytes(edit::DraftFrame{of, made, rows});
+  return toBytes(DraftFrame{of, made, rows});
 }
 
 std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes) {
-  const auto frame = edit::draftFrame(bytes);
+  const auto frame = draftFrame(bytes);
   if (!frame || frame->changes.isEmpty()) return std::nullopt;
   const QJsonObject head = frame->changes.first().toObject();
   PictureDraft draft;
@@ -94,4 +94,4 @@ std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes) {
   return draft;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

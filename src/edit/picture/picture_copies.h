@@ -16,7 +16,7 @@
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 /// Of each map the newest ones are kept, the others deleted.
 inline constexpr int kMostCopies = 10;
@@ -57,4 +57,4 @@ struct ReadCopy {
 /// The error is a sentence.
 tl::expected<ReadCopy, QString> readCopy(const QString& path, const std::atomic<bool>& cancelled);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

@@ -1,4 +1,4 @@
-#include "ui/overlays/overlay_editing.h"
+#include "edit/overlays/overlay_editing.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,13 +6,18 @@
 #include <QRandomGenerator>
 
 #include "overlays/overlay_paste.h"
+#include "overlays/overlay_sentence.h"
 #include "overlays/overlay_shapes.h"
-#include "ui/overlays/overlay_text.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 using overlays::EditingDocument;
+using overlays::Feature;
 using overlays::FeatureEdit;
+using overlays::FeatureKey;
+using overlays::featuresText;
+using overlays::kCollectionKey;
+using overlays::overlayCalled;
 using overlays::OverlayDocument;
 
 /// A step of the document, which keeps what it changes itself: others' changes come below it.
@@ -289,6 +294,6 @@ void OverlayEditing::become(const OverlayDocument& version, const QString& text)
   record(text, [&] { document_.change(document_.editsTo(version)); });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit
 
 #include "moc_overlay_editing.cpp"

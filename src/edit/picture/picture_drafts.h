@@ -11,7 +11,7 @@
 #include "grids/grid_pyramid.h"
 #include "picture/merge.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 /// The unsaved changes of a picture: each changed tile before and after.
 struct PictureDraft {
@@ -25,17 +25,17 @@ struct PictureDraft {
   std::vector<Tile> tiles;
 };
 
-QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
-                             const picture::EditedGrid& now, const picture::EditedGrid& saved);
+QByteArray pictureDraftBytes(const DraftIdentity& of, const QDateTime& made, const picture::EditedGrid& now,
+                             const picture::EditedGrid& saved);
 /// nullopt: not such a draft, or damaged. Contains nothing larger than a tile.
 std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes);
 
 /// A draft applied to a grid of its size and code: its cells where they differ from those saved at that time.
-struct TakenDraft {
+struct FittedDraft {
   picture::Patch patch;
   std::int64_t cells = 0;      // that become others
   std::int64_t elsewhere = 0;  // of these, the ones that others have changed differently since
 };
-std::optional<TakenDraft> restoreDraft(const PictureDraft& draft, const picture::EditedGrid& grid);
+std::optional<FittedDraft> fitDraft(const PictureDraft& draft, const picture::EditedGrid& grid);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

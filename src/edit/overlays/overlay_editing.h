@@ -17,17 +17,13 @@
 #include "overlays/editing_document.h"
 #include "overlays/overlay_edits.h"
 
-namespace mapwright::window {
-
-using overlays::Feature;
-using overlays::FeatureKey;
-using overlays::kCollectionKey;
+namespace mapwright::edit {
 
 class OverlayEditing : public QObject {
   Q_OBJECT
  public:
   /// Features as they would be.
-  using Preview = std::map<FeatureKey, Feature>;
+  using Preview = std::map<overlays::FeatureKey, overlays::Feature>;
   /// What is done with one gesture is one step; 0 = a step of its own.
   using Gesture = quint64;
 
@@ -46,13 +42,13 @@ class OverlayEditing : public QObject {
   bool inFile() const { return in_file_; }
   bool editable() const { return open_ && !locked_; }
 
-  const std::set<FeatureKey>& selected() const { return selected_; }
-  void select(std::set<FeatureKey> keys);
-  void toggle(FeatureKey key);
+  const std::set<overlays::FeatureKey>& selected() const { return selected_; }
+  void select(std::set<overlays::FeatureKey> keys);
+  void toggle(overlays::FeatureKey key);
   /// nullopt: none, or several.
-  std::optional<FeatureKey> only() const;
+  std::optional<overlays::FeatureKey> only() const;
   /// As shown: of the preview, otherwise of the document; null = it is not there.
-  const Feature* find(FeatureKey key) const;
+  const overlays::Feature* find(overlays::FeatureKey key) const;
 
   void setPreview(Preview preview);
   const Preview& preview() const { return preview_; }
@@ -60,24 +56,27 @@ class OverlayEditing : public QObject {
   void applyPreview(const QString& text);
 
   Gesture newGesture() { return ++last_gesture_; }
-  void set(FeatureKey key, const Feature& feature, const QString& text, Gesture gesture = 0);
+  void set(overlays::FeatureKey key, const overlays::Feature& feature, const QString& text,
+           Gesture gesture = 0);
   /// What it makes of each that is selected.
-  void changeSelected(const QString& text, const std::function<Feature(const Feature&)>& how,
+  void changeSelected(const QString& text,
+                      const std::function<overlays::Feature(const overlays::Feature&)>& how,
                       Gesture gesture = 0);
   void removeSelected();
   /// Deleted ones, as the robot holds them.
-  void restore(const std::set<FeatureKey>& keys);
+  void restore(const std::set<overlays::FeatureKey>& keys);
   void duplicateSelected();
   /// New ones as they are, which are selected then, and others in the place of present ones: one step.
-  std::vector<FeatureKey> put(const std::vector<Feature>& added, const std::map<FeatureKey, Feature>& changed,
-                              const QString& text);
+  std::vector<overlays::FeatureKey> put(const std::vector<overlays::Feature>& added,
+                                        const std::map<overlays::FeatureKey, overlays::Feature>& changed,
+                                        const QString& text);
   std::string newId() const;
   /// A new one, which is selected then.
-  FeatureKey add(overlays::Shape shape, const std::vector<Eigen::Vector2d>& points, int type);
+  overlays::FeatureKey add(overlays::Shape shape, const std::vector<Eigen::Vector2d>& points, int type);
   /// As a GeoJSON collection; empty: nothing is selected.
   std::string copied() const;
   /// As new ones: in their place, or around another. Ids that are taken become new ones.
-  void paste(const std::vector<Feature>& features, const std::optional<Eigen::Vector2d>& at_m);
+  void paste(const std::vector<overlays::Feature>& features, const std::optional<Eigen::Vector2d>& at_m);
   /// Bounds of the selected ones, as shown.
   geometry::WorldRect bounds() const;
   /// "move virtual wall W17", "move 3 features".
@@ -107,14 +106,14 @@ class OverlayEditing : public QObject {
   void change(std::vector<overlays::FeatureEdit> edits, const QString& text, Gesture gesture = 0);
   void step(bool forward);
   void prune();
-  std::vector<Feature> madeFree(const std::vector<Feature>& features) const;
+  std::vector<overlays::Feature> madeFree(const std::vector<overlays::Feature>& features) const;
 
   overlays::EditingDocument document_;
   QUndoStack undo_;
   bool open_ = false, locked_ = false, in_file_ = false;
-  std::set<FeatureKey> selected_;
+  std::set<overlays::FeatureKey> selected_;
   Preview preview_;
   Gesture gesture_ = 0, last_gesture_ = 0;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "edit/edit_session.h"
+#include "edit/overlays/overlay_editing.h"
 #include "jobs/change_overlays.h"
 #include "robot/overlay_store.h"
-#include "ui/overlays/overlay_editing.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
-class OverlaySession : public edit::EditSession {
+class OverlaySession : public EditSession {
   Q_OBJECT
  public:
   /// Whose overlays these are.
@@ -29,7 +29,7 @@ class OverlaySession : public edit::EditSession {
 
   /// Reads nothing yet. `editing`, which is closed, holds the document; it outlives this object.
   OverlaySession(StoreNow store, Target target, const QString& address, OverlayEditing& editing,
-                 const edit::EditOptions& options);
+                 const EditOptions& options);
   /// Unsaved changes stay as a draft. Closes the document.
   ~OverlaySession() override;
 
@@ -84,4 +84,4 @@ class OverlaySession : public edit::EditSession {
   robot::OverlayText held_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

@@ -9,15 +9,15 @@
 #include "edit/drafts.h"
 #include "overlays/overlay_document.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 /// What the robot held, and what was made of it.
 struct OverlayDraft {
   QDateTime made;
   overlays::OverlayDocument base, mine;
 };
-QByteArray overlayDraftBytes(const edit::DraftIdentity& of, const OverlayDraft& draft);
+QByteArray overlayDraftBytes(const DraftIdentity& of, const OverlayDraft& draft);
 /// nullopt: not such a draft, or damaged.
 std::optional<OverlayDraft> overlayDraftFrom(const QByteArray& bytes);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

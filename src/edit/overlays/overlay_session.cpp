@@ -1,36 +1,36 @@
-#include "ui/overlays/overlay_session.h"
+#include "edit/overlays/overlay_session.h"
 
 #include <utility>
 
 #include <QPointer>
 
-#include "ui/overlays/overlay_drafts.h"
+#include "edit/overlays/overlay_drafts.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 using overlays::OverlayDocument;
 
 OverlaySession::OverlaySession(StoreNow store, Target target, const QString& address, OverlayEditing& editing,
-                               const edit::EditOptions& options)
+                               const EditOptions& options)
     : store_(std::move(store)), target_(std::move(target)), editing_(editing) {
-  edit::DocumentDrafts::Kind kind;
+  DocumentDrafts::Kind kind;
   kind.of = {address, QString::fromStdString(map::toText(target_.map) + target_.uid),
              QStringLiteral("overlays")};
   kind.unsaved = [this] { return unsaved(); };
-  kind.content = [this, of = kind.of, now = options.now]() -> edit::DraftKeeper::Job {
+  kind.content = [this, of = kind.of, now = options.now]() -> DraftKeeper::Job {
     return [of, draft = OverlayDraft{now(), editing_.document().draftBase(), editing_.document().mine()}] {
       return overlayDraftBytes(of, draft);
     };
   };
-  kind.read = [](const QByteArray& bytes) -> std::optional<edit::Draft> {
+  kind.read = [](const QByteArray& bytes) -> std::optional<Draft> {
     auto draft = overlayDraftFrom(bytes);
     if (!draft) return std::nullopt;
     const auto changes = qint64(overlays::changesBetween(draft->base, draft->mine).size());
-    return edit::Draft{draft->made, changes, std::move(*draft)};
+    return Draft{draft->made, changes, std::move(*draft)};
   };
   keepDrafts(options, std::move(kind));
   if (!drafts()) return;
-  connect(&editing_, &OverlayEditing::changed, drafts(), &edit::DocumentDrafts::touch);
+  connect(&editing_, &OverlayEditing::changed, drafts(), &DocumentDrafts::touch);
   drafts()->look();
 }
 
@@ -127,13 +127,13 @@ void OverlaySession::change(bool send, bool still_held) {
 
 void OverlaySession::restoreDraft(const QString& text) {
   if (!drafts() || !editing_.editable()) return;
-  drafts()->restore([&](const edit::Draft& draft) {
+  drafts()->restore([&](const Draft& draft) {
     const auto& content = std::any_cast<const OverlayDraft&>(draft.content);
     editing_.restoreDraft(content.base, content.mine, text);
     return true;
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit
 
 #include "moc_overlay_session.cpp"

@@ -1,16 +1,16 @@
-#include "ui/picture/picture_session.h"
+#include "edit/picture/picture_session.h"
 
 #include <utility>
 
 #include <QPointer>
 
-#include "ui/picture/picture_copies.h"
-#include "ui/picture/picture_drafts.h"
+#include "edit/picture/picture_copies.h"
+#include "edit/picture/picture_drafts.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
 PictureSession::PictureSession(StoreNow store, map::MapKey map, QString address, Picture picture,
-                               PictureEditing& editing, edit::EditOptions options)
+                               PictureEditing& editing, EditOptions options)
     : store_(std::move(store)),
       map_(std::move(map)),
       address_(std::move(address)),
@@ -36,31 +36,31 @@ void PictureSession::open(Picture picture) {
   revision_ = std::move(picture.revision);
   past_revisions_.clear();
   editing_.open(seen_, picture.reference, picture.holds_unknown);
-  edit::DocumentDrafts::Kind kind;
+  DocumentDrafts::Kind kind;
   kind.of = {address_, QString::fromStdString(map::toText(map_)), QStringLiteral("picture")};
   kind.unsaved = [this] { return editing_.isOpen() && unsaved(); };
-  kind.content = [this, of = kind.of]() -> edit::DraftKeeper::Job {
+  kind.content = [this, of = kind.of]() -> DraftKeeper::Job {
     return [of, made = options_.now(), now = editing_.snapshot(), saved = editing_.saved()] {
       return pictureDraftBytes(of, made, *now, *saved);
     };
   };
-  kind.read = [grid = editing_.snapshot()](const QByteArray& bytes) -> std::optional<edit::Draft> {
+  kind.read = [grid = editing_.snapshot()](const QByteArray& bytes) -> std::optional<Draft> {
     auto draft = pictureDraftFrom(bytes);
-    const auto fits = draft ? window::restoreDraft(*draft, *grid) : std::nullopt;
+    const auto fits = draft ? fitDraft(*draft, *grid) : std::nullopt;
     if (!fits) return std::nullopt;
     const QDateTime made = draft->made;
-    return edit::Draft{made, fits->cells, std::move(*draft)};
+    return Draft{made, fits->cells, std::move(*draft)};
   };
   keepDrafts(options_, std::move(kind));
   if (!drafts()) return;
-  connect(&editing_, &PictureEditing::stateChanged, drafts(), &edit::DocumentDrafts::touch);
+  connect(&editing_, &PictureEditing::stateChanged, drafts(), &DocumentDrafts::touch);
   drafts()->look();
 }
 
 void PictureSession::restoreDraft(const QString& text) {
   if (!drafts()) return;
-  drafts()->restore([&](const edit::Draft& draft) {
-    auto fits = window::restoreDraft(std::any_cast<const PictureDraft&>(draft.content), *editing_.grid());
+  drafts()->restore([&](const Draft& draft) {
+    auto fits = fitDraft(std::any_cast<const PictureDraft&>(draft.content), *editing_.grid());
     if (!fits) return false;
     editing_.applyPatch(std::move(fits->patch), text);
     Q_EMIT restored(fits->elsewhere);
@@ -191,6 +191,6 @@ void PictureSession::settleDoubt() {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit
 
 #include "moc_picture_session.cpp"

@@ -7,14 +7,14 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "edit/picture/picture_editing.h"
 #include "grids/grid_pyramid.h"
 #include "test_program.h"
-#include "ui/picture/picture_editing.h"
 
 namespace test_picture_editing {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::edit;
 using picture::CellRect;
 using picture::Kind;
 
@@ -51,7 +51,7 @@ struct Desk {
     return QTest::qWaitFor([this] { return !editing.reckoning(); }, 30'000);
   }
 
-  PictureEditing editing{std::make_shared<work::Workers>()};
+  edit::PictureEditing editing{std::make_shared<work::Workers>()};
 };
 
 /// What is to come of it, reckoned in the simplest way: every state that can be gone back to, and what is
@@ -233,7 +233,7 @@ class TestPictureEditing : public QObject {
     Desk desk;
     constexpr std::size_t kBudget = std::size_t(2) << 20;
     desk.editing.setUndoBudget(kBudget);
-    QSignalSpy forgotten(&desk.editing, &PictureEditing::stepsForgotten);
+    QSignalSpy forgotten(&desk.editing, &edit::PictureEditing::stepsForgotten);
     desk.editing.setKind(Kind::Occupied);
     for (int i = 0; i < 40; ++i) desk.editing.drawRectangle({i, 40 * i + 1, i + 1, 40 * i + 2});
     QVERIFY(!forgotten.isEmpty());
@@ -259,7 +259,7 @@ class TestPictureEditing : public QObject {
 
   void theirChangesAreTakenInWhileOneIsReckoned() {
     Desk desk;
-    QSignalSpy merged(&desk.editing, &PictureEditing::mergeDone);
+    QSignalSpy merged(&desk.editing, &edit::PictureEditing::mergeDone);
     picture::EditedGrid theirs(hall());
     picture::Canvas canvas(theirs);
     picture::drawRectangle(canvas, {50, 2000, 60, 2010}, {kOccupied, {}});
@@ -276,7 +276,7 @@ class TestPictureEditing : public QObject {
 
   void escDoesNotDropWhatCameMeanwhile() {
     Desk desk;
-    QSignalSpy merged(&desk.editing, &PictureEditing::mergeDone);
+    QSignalSpy merged(&desk.editing, &edit::PictureEditing::mergeDone);
     picture::EditedGrid theirs(hall());
     picture::Canvas canvas(theirs);
     picture::drawRectangle(canvas, {50, 2000, 60, 2010}, {kOccupied, {}});
@@ -301,7 +301,7 @@ class TestPictureEditing : public QObject {
     std::mt19937 random(seed);
     const auto upTo = [&random](int most) { return int(random() % unsigned(most)); };
     Model model;
-    PictureEditing editing(std::make_shared<work::Workers>());
+    edit::PictureEditing editing(std::make_shared<work::Workers>());
     map::GridReference place;
     place.width = Model::kWidth;
     place.height = Model::kHeight;
@@ -372,11 +372,11 @@ class TestPictureEditing : public QObject {
 
   void whatWouldBeTidiedUpStaysToBeLookedAt() {
     Desk desk;
-    QSignalSpy merged(&desk.editing, &PictureEditing::mergeDone);
+    QSignalSpy merged(&desk.editing, &edit::PictureEditing::mergeDone);
     desk.editing.setKind(Kind::Occupied);
     desk.editing.drawRectangle({30, 30, 31, 31});
     desk.editing.drawRectangle({60, 60, 61, 61});
-    desk.editing.lookFor(Tidying::Specks, 4);
+    desk.editing.lookFor(edit::Tidying::Specks, 4);
     QTRY_VERIFY(desk.editing.preview());
     QCOMPARE(desk.editing.preview()->found.cells, std::int64_t(2));
     picture::EditedGrid theirs(hall());

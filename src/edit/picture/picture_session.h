@@ -9,13 +9,13 @@
 #include <string>
 
 #include "edit/edit_session.h"
+#include "edit/picture/picture_editing.h"
 #include "robot/picture_store.h"
-#include "ui/picture/picture_editing.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 
-class PictureSession : public edit::EditSession {
+class PictureSession : public EditSession {
   Q_OBJECT
  public:
   /// As it was read.
@@ -32,7 +32,7 @@ class PictureSession : public edit::EditSession {
 
   /// Opens `picture` in `editing`, which outlives this object.
   PictureSession(StoreNow store, map::MapKey map, QString address, Picture picture, PictureEditing& editing,
-                 edit::EditOptions options);
+                 EditOptions options);
   /// Unsaved changes stay as a draft. Closes the document.
   ~PictureSession() override;
 
@@ -65,7 +65,7 @@ class PictureSession : public edit::EditSession {
   void merged(qint64 cells, bool again);
   /// By one of another size or position: the unsaved changes to `lost` cells are gone.
   void replaced(qint64 lost);
-  void doubtSettled(mapwright::window::PictureSession::DoubtEnd end);
+  void doubtSettled(mapwright::edit::PictureSession::DoubtEnd end);
   /// `elsewhere`: cells of the draft that others have changed differently since.
   void restored(qint64 elsewhere);
 
@@ -85,7 +85,7 @@ class PictureSession : public edit::EditSession {
   map::MapKey map_;
   QString address_;
   PictureEditing& editing_;
-  edit::EditOptions options_;
+  EditOptions options_;
   robot::Call write_call_;
   std::shared_ptr<const grids::GridPyramid> seen_;  // of the last picture read
   std::string revision_;
@@ -97,4 +97,4 @@ class PictureSession : public edit::EditSession {
   work::Tasks share_;   // last
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

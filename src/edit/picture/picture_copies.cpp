@@ -1,4 +1,4 @@
-#include "ui/picture/picture_copies.h"
+#include "edit/picture/picture_copies.h"
 
 #include <algorithm>
 #include <map>
@@ -10,14 +10,14 @@
 #include <QRegularExpression>
 
 #include "grids/export_grid.h"
-#include "jobs/export_map.h"
 #include "sentences/fault_sentence.h"
+#include "words/file_name.h"
 
-namespace mapwright::window {
+namespace mapwright::edit {
 namespace {
 
 struct PictureCopiesText {
-  Q_DECLARE_TR_FUNCTIONS(mapwright::window::PictureCopies)
+  Q_DECLARE_TR_FUNCTIONS(mapwright::edit::PictureCopies)
 };
 
 const QString kTime = QStringLiteral("yyyy-MM-dd_HH-mm-ss-zzz");
@@ -68,7 +68,8 @@ QString allCopiesFolder(const QString& drafts_folder) {
 QString copiesFolder(const QString& drafts_folder, const QString& robot, const QString& map) {
   if (drafts_folder.isEmpty()) return {};
   return QDir(allCopiesFolder(drafts_folder))
-      .filePath(QStringLiteral("%1/%2").arg(jobs::fileNameFrom(robot), jobs::fileNameFrom(map)));
+      .filePath(QStringLiteral("%1/%2").arg(words::shortFileName(robot, QStringLiteral("map")),
+                                            words::shortFileName(map, QStringLiteral("map"))));
 }
 
 QString copyPath(const QString& folder, const QDateTime& now) {
@@ -150,4 +151,4 @@ tl::expected<ReadCopy, QString> readCopy(const QString& path, const std::atomic<
   return copy;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit

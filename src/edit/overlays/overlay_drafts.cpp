@@ -1,24 +1,24 @@
-#include "ui/overlays/overlay_drafts.h"
+#include "edit/overlays/overlay_drafts.h"
 
 #include <utility>
 
 #include <QJsonObject>
 
-namespace mapwright::window {
+namespace mapwright::edit {
 namespace {
 
 constexpr auto kBase = QLatin1String("base"), kMine = QLatin1String("mine");
 
 }  // namespace
 
-QByteArray overlayDraftBytes(const edit::DraftIdentity& of, const OverlayDraft& draft) {
+QByteArray overlayDraftBytes(const DraftIdentity& of, const OverlayDraft& draft) {
   const QJsonObject texts{{kBase, QString::fromStdString(draft.base.text())},
                           {kMine, QString::fromStdString(draft.mine.text())}};
-  return edit::toBytes(edit::DraftFrame{of, draft.made, {texts}});
+  return toBytes(DraftFrame{of, draft.made, {texts}});
 }
 
 std::optional<OverlayDraft> overlayDraftFrom(const QByteArray& bytes) {
-  const auto frame = edit::draftFrame(bytes);
+  const auto frame = draftFrame(bytes);
   if (!frame || frame->changes.size() != 1) return std::nullopt;
   const QJsonObject texts = frame->changes.first().toObject();
   if (!texts.value(kBase).isString() || !texts.value(kMine).isString()) return std::nullopt;
@@ -28,4 +28,4 @@ std::optional<OverlayDraft> overlayDraftFrom(const QByteArray& bytes) {
   return OverlayDraft{frame->made, std::move(*base), std::move(*mine)};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::edit
