@@ -31,6 +31,8 @@ inline bool has(Robot& robot, Capability capability) {
       return robot.localization() != nullptr;
     case Capability::MapTransfer:
       return robot.mapTransfer() != nullptr;
+    case Capability::PoseGraph:
+      return robot.poseGraphSource() != nullptr;
     case Capability::Catalogue:
       return robot.mapCatalogue() != nullptr;
     case Capability::Overview:

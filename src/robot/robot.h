@@ -48,6 +48,7 @@ enum class Capability {
   Dispatch,         // MapDispatch
   Localization,     // Localization
   MapTransfer,      // MapTransfer
+  PoseGraph,        // PoseGraphSource
 };
 
 /// Why a robot lacks a capability.
@@ -218,6 +219,7 @@ class MapDispatch;        // robot/map_dispatch.h
 class MapTransfer;        // robot/map_transfer.h
 class OverlayStore;       // robot/overlay_store.h
 class PictureStore;       // robot/picture_store.h
+class PoseGraphSource;    // robot/pose_graph_source.h
 class WaypointStore;      // robot/waypoint_store.h
 
 class Robot : public QObject {
@@ -255,6 +257,7 @@ class Robot : public QObject {
   virtual MapDispatch* mapDispatch() { return nullptr; }
   virtual Localization* localization() { return nullptr; }
   virtual MapTransfer* mapTransfer() { return nullptr; }
+  virtual PoseGraphSource* poseGraphSource() { return nullptr; }
 
   /// Why a capability is missing. Meaningless for one that exists.
   virtual Absence unavailableReason(Capability) const { return {}; }

@@ -50,6 +50,7 @@ constexpr Lack kLacks[] = {
     {Capability::MapTransfer,
      QT_TRANSLATE_NOOP("Absence",
                        "The maps of this robot cannot be downloaded whole, and none can be added.")},
+    {Capability::PoseGraph, QT_TRANSLATE_NOOP("Absence", "There is no pose graph here.")},
 };
 
 /// What there is none of, whatever the reason.

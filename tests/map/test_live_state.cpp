@@ -262,7 +262,7 @@ class LiveStateTest : public QObject {
 
   void idsOrderAsTheyArePainted() {
     QVERIFY((SubmapId{0, 99} < SubmapId{1, 0}));
-    QCOMPARE(toText({12, 3}), std::string("12-3"));
+    QCOMPARE(toText(SubmapId{12, 3}), std::string("12-3"));
   }
 };
 

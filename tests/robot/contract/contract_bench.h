@@ -27,6 +27,7 @@
 #include "robot/map_dispatch.h"
 #include "robot/map_transfer.h"
 #include "robot/picture_store.h"
+#include "robot/pose_graph_source.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/waypoint_store.h"
@@ -180,6 +181,8 @@ class Bench {
                        });
                      }});
     }
+    if (auto* graph = robot->poseGraphSource())
+      all.push_back({"pose graph", [=](auto end) { return graph->fetch(passTo(end)); }});
     if (auto* dispatch = robot->mapDispatch()) {
       const map::GridRegion square{{0, 0}, {2, 2}};
       const map::CloudRegion box{{0, 0, 1}, 0, {2, 2, 2}};

@@ -322,7 +322,8 @@ class RobotContractTest : public QObject {
         {Capability::Bags, robot.bagLibrary() != nullptr},
         {Capability::Dispatch, robot.mapDispatch() != nullptr},
         {Capability::Localization, robot.localization() != nullptr},
-        {Capability::MapTransfer, robot.mapTransfer() != nullptr}};
+        {Capability::MapTransfer, robot.mapTransfer() != nullptr},
+        {Capability::PoseGraph, robot.poseGraphSource() != nullptr}};
     for (const auto& [capability, there] : all) {
       if (there) continue;
       const QString why = sentences::absenceReason(capability, robot.unavailableReason(capability));
