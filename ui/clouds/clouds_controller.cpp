@@ -8,15 +8,18 @@
 #include <QTimer>
 
 #include "scene/clouds_layer.h"
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "session/session.h"
 #include "ui/clouds/cloud_text.h"
 #include "ui/clouds/clouds_dock.h"
 #include "ui/clouds/region_tool.h"
 #include "ui/clouds/section_dock.h"
 #include "ui/clouds/section_tool.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"

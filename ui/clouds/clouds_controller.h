@@ -5,6 +5,7 @@
 #include "jobs/fetch_cloud.h"
 #include "robot/call.h"
 #include "robot/map_dispatch.h"
+#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 

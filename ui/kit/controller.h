@@ -10,7 +10,9 @@
 #include <QObject>
 #include <QSettings>
 
-#include "session/session.h"
+namespace mapwright::session {
+class Session;
+}
 
 namespace mapwright::window {
 

@@ -3,7 +3,11 @@
 #include <QActionGroup>
 #include <QLineEdit>
 
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
+#include "ui/kit/findings.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/plain_label.h"
 #include "ui/layers/layer_settings.h"

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "scene/map_scene.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/on_screen.h"

@@ -25,6 +25,8 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "session/makes_new_map.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "robot/robot.h"
+#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
 #include "ui/maps/map_files.h"
 #include "ui/shell/window_context.h"

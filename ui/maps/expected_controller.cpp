@@ -18,12 +18,15 @@
 #include "compare/difference_picture.h"
 #include "compare/picture_reading.h"
 #include "compare/picture_view.h"
+#include "scene/map_scene.h"
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
 #include "shot/layer_subscription.h"
 #include "shot/map_shot.h"
 #include "shot/picture.h"
 #include "shot/view_facts.h"
 #include "suite/judgement.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
@@ -56,6 +59,11 @@ QStringList changesOf(const suite::ViewOutcome& outcome) {
     for (const QString& change : *said) changes << where.arg(change);
   }
   return changes;
+}
+
+/// Numbers stay beside their percent sign.
+QString onOneLine(QString sentence) {
+  return sentence.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
 }
 
 QScrollArea* scrolled(const QString& difference) {
@@ -115,6 +123,7 @@ struct ExpectedController::Comparing {
   session::Session& session;
   shot::Look look;
   shot::MapShot shot{{.timeout_s = kExpectedWithinS}};
+  shot::EndOfWaiting end = shot::EndOfWaiting::None;
   shot::LayerSubscription topics;
   bool raw = false;  // cells alone
   std::unique_ptr<shot::Picture> picture;
@@ -173,9 +182,12 @@ void ExpectedController::compareWith(const QString& picture) {
 void ExpectedController::look() {
   using shot::EndOfWaiting;
   Comparing& now = *comparing_;
-  const EndOfWaiting end = now.shot.end(now.seconds(), true, {});
+  const bool online = now.session.connection().phase == robot::ConnectionPhase::Online;
+  EndOfWaiting end = now.shot.end(now.seconds(), true, {});
+  if (end == EndOfWaiting::None && !online) end = EndOfWaiting::LinkLost;  // nothing more will come
   if (end == EndOfWaiting::None) return;
-  now.shot.addIf(end == EndOfWaiting::TimeUp, shot::Lack::NotSettled);
+  now.end = end;
+  now.shot.addIf(end == EndOfWaiting::TimeUp || end == EndOfWaiting::LinkLost, shot::Lack::NotSettled);
   now.shot.enter(shot::Stage::Drawing, now.seconds());
   now.poll.stop();
   if (now.raw) {
@@ -213,8 +225,11 @@ void ExpectedController::onPicture() {
       return report(sentences::sentenceOf(*fault));
   }
   if (!done->shot.complete())
-    outcome.sentence += QLatin1Char(' ') +
-                        tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS));
+    outcome.sentence +=
+        QLatin1Char(' ') +
+        (done->end == shot::EndOfWaiting::LinkLost
+             ? tr("The robot is not connected, so not everything has arrived.")
+             : tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS)));
   show(outcome.sentence, done->expected, QImage(actual), differs ? difference : QString(),
        changesOf(outcome));
 }
@@ -245,8 +260,8 @@ void ExpectedController::show(const QString& sentence, const QString& expected, 
   auto* const close = new QPushButton(tr("Close"), dialog_);
   giveRoles(*close, {});
   connect(close, &QPushButton::clicked, dialog_, &QDialog::reject);
-  dialog_->setLayout(
-      columnOf({textLabel(sentence, dialog_), {pictures, 1}, list, rowOf({LayoutItem::rest(), close})}));
+  dialog_->setLayout(columnOf(
+      {textLabel(onOneLine(sentence), dialog_), {pictures, 1}, list, rowOf({LayoutItem::rest(), close})}));
   dialog_->resize(dialog_->sizeHint().boundedTo(context_.window.screen()->availableSize() * kMostOfScreen));
   swipe->handle().setFocus();
   dialog_->open();

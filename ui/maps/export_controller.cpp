@@ -25,7 +25,10 @@
 #include <QVBoxLayout>
 
 #include "robot/address.h"
+#include "scene/map_scene.h"
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QMimeData>
 
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/status_text.h"
 #include "ui/view/map_overlay.h"

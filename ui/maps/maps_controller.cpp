@@ -4,8 +4,11 @@
 
 #include "map/whereabouts.h"
 #include "regions/region_map.h"
+#include "scene/map_scene.h"
 #include "sentences/problem_sentence.h"
 #include "session/lacks_picture.h"
+#include "session/session.h"
+#include "ui/kit/findings.h"
 #include "ui/kit/panels.h"
 #include "ui/maps/map_files.h"
 #include "ui/maps/maps_dock.h"

@@ -6,8 +6,11 @@
 
 #include "jobs/set_pose.h"
 #include "robot/localization.h"
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/maps/pose_dock.h"

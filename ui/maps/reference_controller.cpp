@@ -10,8 +10,11 @@
 #include <QPushButton>
 #include <QUndoCommand>
 
+#include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"

@@ -15,6 +15,7 @@
 #include "placing/align.h"
 #include "robot/robot.h"
 #include "session/map_slot.h"
+#include "session/session.h"
 #include "ui/kit/controller.h"
 #include "ui/maps/map_files.h"
 #include "ui/shell/window_context.h"

@@ -5,7 +5,11 @@
 #include <QElapsedTimer>
 #include <QMenu>
 
+#include "scene/map_scene.h"
 #include "sentences/plural.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
+#include "ui/kit/findings.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"

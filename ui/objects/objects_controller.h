@@ -12,6 +12,7 @@
 
 #include "grids/cell_counts.h"
 #include "scene/map_object.h"
+#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/map_tool.h"

@@ -5,6 +5,7 @@
 
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
 #include "ui/overlays/overlay_history_dock.h"

@@ -13,6 +13,7 @@
 #include "edit/overlays/overlay_session.h"
 #include "jobs/change_overlays.h"
 #include "overlays/overlay_check.h"
+#include "session/session.h"
 #include "ui/overlays/overlay_history.h"
 #include "ui/overlays/overlay_marks.h"
 #include "ui/overlays/overlay_text.h"

@@ -10,9 +10,12 @@
 #include <QUrl>
 
 #include "map/waypoint.h"
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"

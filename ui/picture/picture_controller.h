@@ -12,6 +12,7 @@
 #include "edit/picture/picture_copies.h"
 #include "edit/picture/picture_editing.h"
 #include "edit/picture/picture_session.h"
+#include "session/session.h"
 #include "ui/kit/status_text.h"
 #include "ui/shell/editor_controller.h"
 

@@ -1,5 +1,7 @@
 #include "ui/plots/messages_controller.h"
 
+#include "session/session.h"
+#include "ui/kit/findings.h"
 #include "ui/kit/panels.h"
 #include "ui/plots/messages_dock.h"
 #include "ui/view/map_overlay.h"

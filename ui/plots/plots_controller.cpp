@@ -5,6 +5,8 @@
 
 #include <QPushButton>
 
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/panels.h"
 #include "ui/plots/plots_dock.h"
 #include "ui/shell/current_session.h"

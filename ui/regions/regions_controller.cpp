@@ -15,8 +15,11 @@
 #include <QVBoxLayout>
 
 #include "jobs/change_map.h"
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"

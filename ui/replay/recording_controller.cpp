@@ -13,6 +13,8 @@
 #include "recording/append_file.h"
 #include "robot/delivery.h"
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"

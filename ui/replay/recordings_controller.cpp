@@ -11,6 +11,8 @@
 
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"

@@ -8,8 +8,11 @@
 #include <QPushButton>
 
 #include "robot/second_server.h"
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"

@@ -4,6 +4,7 @@
 
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
+#include "session/session.h"
 #include "ui/kit/panels.h"
 #include "ui/robot/problems_dock.h"
 #include "ui/shell/current_session.h"

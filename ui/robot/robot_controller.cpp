@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "map/whereabouts.h"
+#include "scene/map_scene.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
 #include "session/makes_new_map.h"
+#include "session/session.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
 #include "ui/robot/robot_dock.h"

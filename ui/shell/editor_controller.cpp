@@ -5,6 +5,7 @@
 #include <QDateTime>
 
 #include "sentences/fault_sentence.h"
+#include "session/session.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"

@@ -5,18 +5,21 @@
 #include <QSettings>
 #include <QUndoGroup>
 
-#include "edit/open_waypoints.h"
+#include "edit/document_drafts.h"
 #include "robot/address.h"
-#include "scene/map_scene.h"
-#include "ui/kit/actions.h"
-#include "ui/kit/findings.h"
-#include "ui/view/hit_list.h"
 #include "work/budgets.h"
 #include "work/workers.h"
 
+namespace mapwright::scene {
+class MapScene;
+}
+
 namespace mapwright::window {
 
+class Actions;
 class CurrentSession;
+class Findings;
+class HitList;
 class MapOverlay;
 class MapView;
 class Notices;

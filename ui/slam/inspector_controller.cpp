@@ -6,6 +6,10 @@
 #include <QMenu>
 #include <QRegularExpression>
 
+#include "scene/map_scene.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
+#include "ui/kit/findings.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"

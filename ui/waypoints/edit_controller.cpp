@@ -5,6 +5,7 @@
 #include <QUndoGroup>
 #include <QUndoView>
 
+#include "ui/kit/actions.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/unsaved_changes.h"
 

@@ -5,15 +5,20 @@
 
 #include <QMenu>
 
+#include "edit/open_waypoints.h"
 #include "scene/drawing.h"
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/lacks_picture.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
 #include "ui/shell/current_session.h"
+#include "ui/view/hit_list.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"

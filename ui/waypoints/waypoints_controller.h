@@ -9,6 +9,7 @@
 
 #include <QPointer>
 
+#include "edit/open_waypoints.h"
 #include "ui/shell/editor_controller.h"
 #include "ui/waypoints/waypoint_editing.h"
 

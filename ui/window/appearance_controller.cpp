@@ -4,6 +4,9 @@
 #include <QApplication>
 #include <QEvent>
 
+#include "scene/map_scene.h"
+#include "ui/kit/actions.h"
+
 namespace mapwright::window {
 
 namespace {

@@ -2,6 +2,9 @@
 
 #include <QDialog>
 
+#include "scene/map_scene.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "window/command_palette.h"

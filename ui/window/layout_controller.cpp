@@ -5,6 +5,8 @@
 #include <QActionGroup>
 #include <QScreen>
 
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"

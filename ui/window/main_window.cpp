@@ -10,9 +10,12 @@
 #include <QMenuBar>
 #include <QScreen>
 
+#include "scene/map_scene.h"
+#include "session/session.h"
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/projections_controller.h"
 #include "ui/clouds/section_dock.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/layers/layers_controller.h"

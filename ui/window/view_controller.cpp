@@ -2,6 +2,9 @@
 
 #include <QMenu>
 
+#include "scene/map_scene.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/shell/current_session.h"
