@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QSpinBox>
 #include <QTimer>
 #include <QToolButton>
@@ -52,9 +53,10 @@ struct Desk {
   QString yaml() const { return folder.filePath(QStringLiteral("office.yaml")); }
   QString pgm() const { return folder.filePath(QStringLiteral("office.pgm")); }
   static void writeFile(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
+    QSaveFile file(path);  // it is watched: never seen half written
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(bytes);
+    QVERIFY(file.commit());
   }
   void writeCells(const std::function<char(int, int)>& shade, int width = kWidth,
                   int height = kHeight) const {

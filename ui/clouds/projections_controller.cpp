@@ -4,6 +4,7 @@
 
 #include <QPushButton>
 
+#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"

@@ -3,6 +3,7 @@
 #include <QInputDialog>
 #include <QMenu>
 
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/overlays/collection_dialog.h"
 #include "ui/overlays/overlay_text.h"

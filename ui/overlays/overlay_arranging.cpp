@@ -4,6 +4,7 @@
 
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_shapes.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
 

@@ -9,7 +9,9 @@
 
 #include "overlays/overlay_paste.h"
 #include "scene/drawing.h"
+#include "scene/map_scene.h"
 #include "sentences/fault_sentence.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/view/map_overlay.h"

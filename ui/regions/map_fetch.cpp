@@ -11,7 +11,9 @@
 
 #include "jobs/export_map.h"
 #include "regions/region_sentence.h"
+#include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
+#include "session/session.h"
 #include "ui/kit/folders.h"
 #include "ui/regions/regions_text.h"
 #include "ui/shell/current_session.h"

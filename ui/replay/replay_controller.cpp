@@ -35,6 +35,7 @@
 #include "ui/shell/replay_clock.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
+#include "ui/view/hit_list.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/replay_state.h"

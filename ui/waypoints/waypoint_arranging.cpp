@@ -5,6 +5,8 @@
 #include <QMenu>
 
 #include "geometry/pose.h"
+#include "scene/map_scene.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"

@@ -13,7 +13,10 @@
 
 #include "geometry/pose.h"
 #include "scene/drawing.h"
+#include "scene/map_scene.h"
 #include "session/lacks_picture.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"

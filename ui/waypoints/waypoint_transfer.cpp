@@ -25,6 +25,7 @@
 #include "exchange/waypoint_table.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"

@@ -22,6 +22,7 @@
 #include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
+#include "ui/kit/findings.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/hit_list.h"
 #include "work/workers.h"
