@@ -241,6 +241,14 @@ void SnapshotRun::awaitContent() {
   if (wantsTrack())
     shot_.await(Awaited::Track, [this] { return replayed_->reading()->chunks().wholeSettled(); });
   if (wantsCloud()) shot_.await(Awaited::Cloud, [this] { return cloudIn(); });
+  if (wantsClosures()) {
+    session_.poseGraph().want();
+    shot_.await(Awaited::PoseGraph, [this] { return !session_.poseGraph().loading(); });
+  }
+}
+
+bool SnapshotRun::wantsClosures() const {
+  return options_.layers.contains(scene::Layer::Closures) && session_.poseGraph().offered();
 }
 
 bool SnapshotRun::topicsChoosable() {
@@ -634,6 +642,20 @@ void SnapshotRun::draw(EndOfWaiting why) {
   shot_.addIf(overlaysLost(), Lack::Overlays);
   shot_.addIf(region_ && !region_->complete(), Lack::Region);
   shot_.addIf(wantsCloud() && !(cloud_ && cloud_->came), Lack::Cloud);
+  if (options_.named.contains(scene::Layer::Closures) && !session_.poseGraph().offered()) {
+    shot_.add(Lack::PoseGraph);
+    notes_ << Text::tr("Loop closures are not drawn.") + QLatin1Char(' ') +
+                  sentences::absenceReason(robot::Capability::PoseGraph,
+                                           session_.robot().unavailableReason(robot::Capability::PoseGraph));
+  }
+  if (wantsClosures() && !session_.poseGraph().closures()) {
+    shot_.add(Lack::PoseGraph);
+    notes_ << Text::tr("Loop closures are not drawn: the pose graph was not read.") +
+                  (session_.poseGraph().failure()
+                       ? QLatin1Char(' ') +
+                             QString::fromStdString(sentences::failureReason(*session_.poseGraph().failure()))
+                       : QString());
+  }
   shot_.addIf(!holes.empty() || !bagLosses(session_.problems()).isEmpty(), Lack::PartsOfBag);
   if (!holes.empty()) notes_ << sentences::sentenceOf(replay::faultOf(holes));
   // Also printed to standard error although nothing is missing.

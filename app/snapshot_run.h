@@ -137,6 +137,7 @@ class SnapshotRun : public QObject {
   bool isLocal() const { return session_.robot().isLocal(); }
   bool wantsTrack() const;  // of a whole bag
   bool wantsCloud() const;
+  bool wantsClosures() const;
   void askForCloud(const geometry::WorldRect& seen);
   bool lacksSubmaps() const;  // a bag that contains no submap list up to its time: none will arrive
   /// Requests the cloud of what is drawn: the area is known.

@@ -493,6 +493,64 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::ClosuresController</name>
+    <message numerus="yes">
+        <source>%1 loop closures.</source>
+        <translation>
+            <numerusform>%1 loop closure.</numerusform>
+            <numerusform>%1 loop closures.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 contradict the finished map by more than 0.5 m.</source>
+        <translation>
+            <numerusform>%1 contradicts the finished map by more than 0.5 m.</numerusform>
+            <numerusform>%1 contradict the finished map by more than 0.5 m.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 are not listed: their submap or node is not there.</source>
+        <translation>
+            <numerusform>%1 is not listed: its submap or node is not there.</numerusform>
+            <numerusform>%1 are not listed: their submap or node is not there.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 are not listed: they have no valid pose.</source>
+        <translation>
+            <numerusform>%1 is not listed: it has no valid pose.</numerusform>
+            <numerusform>%1 are not listed: they have no valid pose.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ClosuresDock</name>
+    <message numerus="yes">
+        <source>%1 submaps</source>
+        <translation>
+            <numerusform>%1 submap</numerusform>
+            <numerusform>%1 submaps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 constraints</source>
+        <translation>
+            <numerusform>%1 constraint</numerusform>
+            <numerusform>%1 constraints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ClosuresModel</name>
+    <message numerus="yes">
+        <source>%1 constraints</source>
+        <translation>
+            <numerusform>%1 constraint</numerusform>
+            <numerusform>%1 constraints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::CloudsController</name>
     <message numerus="yes">
         <source>%1 points were received.</source>

@@ -51,7 +51,8 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       compared_map_(options.sidecar_folder, resources_),
       map_for_checks_(options.sidecar_folder, resources_),
       overview_({}, resources_),
-      layer_grids_(resources_) {
+      layer_grids_(resources_),
+      pose_graph_(*robot_, resources_.workers) {
   if (robot::LiveTopics* const live = robot_->liveTopics()) live->setBasics(options.basics);
   problems_timer_.setSingleShot(true);
   connect(&problems_timer_, &QTimer::timeout, this, &Session::problemsChanged);
@@ -102,6 +103,7 @@ void Session::retryNow() {
   }
   catalogue_.refresh();
   retryMaps();
+  pose_graph_.refresh();
   submaps_.retryNow();
 }
 
@@ -115,6 +117,7 @@ void Session::wireSubmaps() {
   connect(&submaps_, &Submaps::restarted, this, [this] {
     ++generation_;
     if (problems_.resolveAll(map::SubjectKind::Submap, wall_())) reportProblems();
+    pose_graph_.refresh();
     Q_EMIT sessionRestarted();
   });
   connect(&submaps_, &Submaps::listChanged, this, &Session::listChanged);

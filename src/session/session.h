@@ -22,6 +22,7 @@
 #include "session/catalogue.h"
 #include "session/layer_grids.h"
 #include "session/map_slot.h"
+#include "session/pose_graph_slot.h"
 #include "session/problem_log.h"
 #include "session/safety_watch.h"
 #include "session/submaps.h"
@@ -125,6 +126,9 @@ class Session : public QObject {
   /// A coarse picture of the SLAM map, until all submaps are loaded.
   const MapSlot& overview() const { return overview_; }
   const LayerGrids& layerGrids() const { return layer_grids_; }
+  /// How far the constraints of the SLAM session are from its map.
+  PoseGraphSlot& poseGraph() { return pose_graph_; }
+  const PoseGraphSlot& poseGraph() const { return pose_graph_; }
   /// The map whose waypoints belong to what `slot` shows: the map itself; for the live map, the stored one
   /// that the robot uses. nullopt: unknown, or there is none.
   std::optional<map::MapKey> placesOf(const MapSlot& slot) const;
@@ -232,6 +236,7 @@ class Session : public QObject {
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, map_for_checks_, overview_;
   LayerGrids layer_grids_;
+  PoseGraphSlot pose_graph_;
   QTimer problems_timer_, no_live_map_timer_;
 };
 

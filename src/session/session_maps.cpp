@@ -77,6 +77,7 @@ void Session::wireMaps() {
   connect(&layer_grids_, &LayerGrids::unreadable, this, &Session::discardPicture);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
     if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
+    if (!still_) pose_graph_.refresh();
     if (whole_map_.key().kind == map::MapKind::File) openAgain(whole_map_);
     if (compared_map_.key().kind == map::MapKind::File && !compared_aside_) openAgain(compared_map_);
   });
@@ -102,6 +103,7 @@ void Session::wireMaps() {
     catalogue_.setSource(robot_->mapCatalogue());
     hearStores();
     sendWants();  // other topics may carry the wanted data
+    if (!still_) pose_graph_.refresh();
     followLiveMap();
     followLivePlaces();
   });

@@ -13,6 +13,7 @@
 #include "robot/localization.h"
 #include "robot/map_administration.h"
 #include "robot/map_transfer.h"
+#include "robot/pose_graph_source.h"
 #include "robot/robot.h"
 #include "robot/ros/faults.h"
 #include "robot/second_server.h"
@@ -153,6 +154,7 @@ class FakeRobot : public robot::Robot,
   robot::MapCatalogue* mapCatalogue() override { return has_catalogue ? &maps : nullptr; }
   robot::WholeMapSource* wholeMapSource() override { return has_catalogue ? &maps : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_live ? this : nullptr; }
+  robot::PoseGraphSource* poseGraphSource() override { return pose_graph; }
   robot::PictureStore* pictureStore() override { return picture_store; }
   robot::OverlayStore* overlayStore() override { return overlay_store; }
   robot::Absence unavailableReason(robot::Capability capability) const override {
@@ -274,6 +276,7 @@ class FakeRobot : public robot::Robot,
   robot::Localization* localizing = nullptr;           // likewise
   robot::MapTransfer* transferring = nullptr;          // likewise
   robot::WaypointStore* waypoint_store = nullptr;      // not owned
+  robot::PoseGraphSource* pose_graph = nullptr;        // not owned
   robot::PictureStore* picture_store = nullptr;        // not owned
   robot::OverlayStore* overlay_store = nullptr;        // not owned
   const map::WaypointList* told_waypoints = nullptr;   // those that can only be read; not owned

@@ -115,6 +115,10 @@ struct ExpectedController::Comparing {
         const session::MapSlot& slot = session.wholeMap();
         return slot.settled() && !(with_points && slot.waypointsAwaited());
       });
+    if (draws(scene::Layer::Closures) && session.poseGraph().offered()) {
+      session.poseGraph().want();
+      shot.await(Awaited::PoseGraph, [this] { return !session.poseGraph().loading(); });
+    }
     shot.await(Awaited::Topics,
                [this] { return topics.in() || shot.sinceConnected(seconds()) > kExpectedTopicsWithinS; });
   }

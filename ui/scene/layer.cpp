@@ -97,6 +97,13 @@ QString noSubmapsReason(robot::Robot& robot) {
                                                          robot.unavailableReason(robot::Capability::Submaps));
 }
 
+QString noPoseGraphReason(robot::Robot& robot) {
+  return robot.poseGraphSource()
+             ? QString()
+             : sentences::absenceReason(robot::Capability::PoseGraph,
+                                        robot.unavailableReason(robot::Capability::PoseGraph));
+}
+
 QString noMapFeaturesReason(robot::Robot& robot) {
   return robot.wholeMapSource() || robot.liveTopics()
              ? QString()

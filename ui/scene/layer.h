@@ -42,6 +42,7 @@ namespace mapwright::scene {
   ROW(Doors)                  \
   ROW(Boxes)                  \
   ROW(Constraints)            \
+  ROW(Closures)               \
   ROW(Outlines)               \
   ROW(Ids)                    \
   ROW(Trajectory)             \
@@ -103,6 +104,7 @@ using WhyEmpty = QString (*)(robot::Robot& robot);
 QString neverEmpty(robot::Robot& robot);
 QString noLiveDataReason(robot::Robot& robot);
 QString noSubmapsReason(robot::Robot& robot);
+QString noPoseGraphReason(robot::Robot& robot);
 QString noMapFeaturesReason(robot::Robot& robot);
 
 /// What is known about a layer.

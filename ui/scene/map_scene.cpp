@@ -117,12 +117,14 @@ void MapScene::setSession(session::Session* session) {
   if (session_) {
     session_->disconnect(this);
     session_->catalogue().disconnect(this);
+    session_->poseGraph().disconnect(this);
     for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()})
       slot->disconnect(this);
   }
   session_ = session;
   setPoseBetween(std::nullopt);
   setTrack(nullptr);
+  syncClosures();
   items_->context.highlighted.clear();
   setMarked(std::nullopt);
   setMarker(std::nullopt);
@@ -157,6 +159,7 @@ void MapScene::setSession(session::Session* session) {
       });
     }
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &MapScene::syncPlace);
+    connect(&session_->poseGraph(), &session::PoseGraphSlot::changed, this, &MapScene::syncClosures);
     connect(session_, &Session::listChanged, this, &MapScene::syncPlace);
     if (items_->asks) session_->setView(view_.visibleWorld(), view_.center_m);
     sendWants();
@@ -392,6 +395,7 @@ void MapScene::syncFeatures() {
 }
 
 void MapScene::sendWants() {
+  if (session_ && items_->asks && layerVisible(Layer::Closures)) session_->poseGraph().want();
   if (!session_ || !items_->asks) return;
   map::Streams streams;
   for (const Layer layer : allLayers()) {
@@ -774,6 +778,13 @@ void MapScene::setRegionsExtent(const std::optional<map::GridReference>& extent)
 
 bool MapScene::showsClouds() const {
   return layerVisible(Layer::DispatchedCloud) && !items_->context.clouds->empty();
+}
+
+void MapScene::syncClosures() {
+  auto now = session_ ? session_->poseGraph().closures() : nullptr;
+  if (now == items_->context.closures) return;
+  items_->context.closures = std::move(now);
+  items_->update(Layer::Closures);
 }
 
 void MapScene::setTrack(std::shared_ptr<const Track> track) {

@@ -212,6 +212,7 @@ class MapScene : public QGraphicsScene {
   void syncColors();
   void syncFeatures();
   void syncPlace();
+  void syncClosures();
   void showPlaced();
   void sendWants();
   void applyReduction();

@@ -28,7 +28,18 @@ enum class Stage {
 };
 
 /// What a picture may wait for.
-enum class Awaited { Submaps, Whereabouts, WholeMap, Region, Topics, Pictures, Track, Messages, Cloud };
+enum class Awaited {
+  Submaps,
+  Whereabouts,
+  WholeMap,
+  Region,
+  Topics,
+  Pictures,
+  Track,
+  Messages,
+  Cloud,
+  PoseGraph
+};
 
 enum class EndOfWaiting {
   None,  // it goes on
@@ -47,6 +58,7 @@ enum class Lack {
   Overlays,
   Region,
   Cloud,
+  PoseGraph,
   PartsOfBag,
   Placement,  // data whose transforms did not arrive
   Topic,      // one that was chosen does not exist, or does not fit

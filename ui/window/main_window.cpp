@@ -49,7 +49,9 @@
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
+#include "ui/slam/closures_controller.h"
 #include "ui/slam/inspector_controller.h"
+#include "ui/slam/inspector_dock.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
@@ -172,6 +174,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
        [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
   make(layers_);
   make(objects_);
+  make(closures_);
   make(inspector_, ids("showIds"), ids("showOutlines"));
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
@@ -207,6 +210,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
 void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::clicked, inspector_, &InspectorController::clickedOnMap);
   connect(inspector_, &InspectorController::located, objects_, &ObjectsController::wentTo);
+  connect(closures_, &ClosuresController::submapShown, inspector_->dock(), &InspectorDock::select);
   connect(view_control_, &ViewController::picked, objects_, &ObjectsController::clickedOnMap);
   connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);

@@ -36,6 +36,7 @@ namespace mapwright::window {
 class AdministrationController;
 class AppearanceController;
 class CloudsController;
+class ClosuresController;
 class CompareController;
 class ConnectionController;
 class Controller;
@@ -153,6 +154,7 @@ class MainWindow : public QMainWindow {
   ConnectionController* connection_ = nullptr;
   ExportController* export_ = nullptr;
   FilesController* files_ = nullptr;
+  ClosuresController* closures_ = nullptr;
   InspectorController* inspector_ = nullptr;
   LayersController* layers_ = nullptr;
   LayoutController* layout_ = nullptr;

@@ -1,0 +1,182 @@
+// The dock of loop closures: which contradict the map, where, and what is said where there are none.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QtTest>
+
+#include "test_program.h"
+#include "ui/slam/closures_dock.h"
+#include "ui/view/map_view.h"
+#include "window_bench.h"
+#include "window_parts.h"
+
+namespace test_window_closures {
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+geometry::Pose3 at(double x, double y) {
+  geometry::Pose3 pose;
+  pose.x = x;
+  pose.y = y;
+  return pose;
+}
+
+/// Two submaps and three nodes; node 0-2 lies 3 m beside where submap 0-0 has it.
+class Graph : public robot::PoseGraphSource {
+ public:
+  robot::Call fetch(robot::OutcomeTo<std::shared_ptr<const map::PoseGraph>> reply) override {
+    ++asked;
+    QTimer::singleShot(0, &timers_, [this, reply] {
+      if (fails) return reply(tl::make_unexpected(map::Failure{map::FailureKind::TimedOut}));
+      reply(std::make_shared<const map::PoseGraph>(graph));
+    });
+    return {};
+  }
+  Graph() {
+    using map::ConstraintKind;
+    graph.submaps = {{{0, 0}, at(0, 0)}, {{0, 1}, at(10, 0)}};
+    graph.trajectories = {
+        {0, {{{0, 0}, 1.7e9, at(1, 0)}, {{0, 1}, 1.7e9, at(2, 0)}, {{0, 2}, 1.7e9, at(20, 0)}}}};
+    graph.constraints = {{{0, 0}, {0, 0}, at(1, 0), ConstraintKind::Intra, 1, 1},
+                         {{0, 0}, {0, 1}, at(2, 0.05), ConstraintKind::Inter, 1, 1},
+                         {{0, 0}, {0, 2}, at(20, 3), ConstraintKind::Inter, 1, 1},
+                         {{0, 1}, {0, 2}, at(10, 0.2), ConstraintKind::Inter, 1, 1}};
+  }
+  map::PoseGraph graph;
+  bool fails = false;
+  int asked = 0;
+
+ private:
+  QObject timers_;
+};
+
+struct Desk : Bench {
+  Desk() {
+    prepare = [this](test::FakeRobot& made) { made.pose_graph = with_graph ? &graph : nullptr; };
+  }
+  ~Desk() { window.reset(); }
+  ClosuresDock& openDock() {
+    Bench::open();
+    if (window->connectTo(kAddress)) qFatal("not connected");
+    dock = part<ClosuresDock>(*window);
+    dock->toggleViewAction()->trigger();
+    return *dock;
+  }
+  QString text(int row, ClosuresModel::Column column) {
+    return dock->model()->index(row, column).data().toString();
+  }
+  bool says(const QString& words) {
+    const auto labels = dock->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text().contains(words); });
+  }
+
+  Graph graph;
+  bool with_graph = true;
+  ClosuresDock* dock = nullptr;
+};
+
+}  // namespace
+
+class TestWindowClosures : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theWorstIsFirstAndItsPlacesAreShown() {
+    Desk desk;
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 3);
+    QCOMPARE(desk.text(0, ClosuresModel::ResidualColumn), QStringLiteral("3.000"));
+    QCOMPARE(desk.text(0, ClosuresModel::SubmapColumn), QStringLiteral("0-0"));
+    QCOMPARE(desk.text(0, ClosuresModel::NodeColumn), QStringLiteral("0-2"));
+    QCOMPARE(desk.text(1, ClosuresModel::ResidualColumn), QStringLiteral("0.200"));
+    QVERIFY(desk.says(QStringLiteral("3 loop closures. 1 contradicts the finished map by more than 0.5 m.")));
+    desk.load();
+    const QModelIndex first = dock.model()->index(0, 0);
+    QTest::mouseClick(dock.table()->viewport(), Qt::LeftButton, {}, dock.table()->visualRect(first).center());
+    const geometry::WorldRect seen = desk.window->mapScene()->view().visibleWorld();
+    QVERIFY(seen.contains({20, 0}) && seen.contains({20, 3}));
+    QVERIFY(desk.window->mapScene()->highlighted().contains({0, 0}));
+    desk.key(Qt::Key_Escape);
+    desk.key(Qt::Key_Escape);
+    QVERIFY(desk.window->mapScene()->highlighted().empty());
+  }
+
+  void theListCanBeNarrowed() {
+    Desk desk;
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 3);
+    auto* const least = dock.findChild<QDoubleSpinBox*>();
+    least->setValue(0.1);
+    QCOMPARE(dock.model()->rowCount(), 2);
+    least->setValue(0);
+    QTest::keyClicks(dock.filterEdit(), QStringLiteral("0-1"));
+    QCOMPARE(dock.model()->rowCount(), 2);  // the submap, and the node of that name
+    dock.filterEdit()->clear();
+    auto* const kinds = dock.findChild<QComboBox*>();
+    kinds->setCurrentIndex(2);
+    QCOMPARE(dock.model()->rowCount(), 4);
+    kinds->setCurrentIndex(0);
+    dock.findChildren<QCheckBox*>().front()->click();
+    QCOMPARE(dock.model()->rowCount(), 2);
+    QCOMPARE(desk.text(0, ClosuresModel::NodeColumn), QStringLiteral("2 constraints"));
+    dock.table()->setCurrentIndex(dock.model()->index(0, 0));
+    QTest::keyClick(dock.table(), Qt::Key_Return);
+    QCOMPARE(dock.model()->rowCount(), 2);
+    QCOMPARE(dock.filterEdit()->text(), QStringLiteral("0-0"));
+  }
+
+  void nothingIsAskedBeforeItIsLookedAt() {
+    Desk desk;
+    desk.open();
+    QVERIFY(!desk.window->connectTo(kAddress));
+    QTRY_VERIFY(desk.window->session());
+    QCOMPARE(desk.graph.asked, 0);
+    desk.window->mapScene()->setLayerVisible(scene::Layer::Closures, true);
+    QTRY_COMPARE(desk.graph.asked, 1);
+    // It may be another one now.
+    Q_EMIT desk.robot->mapsChanged();
+    QTRY_COMPARE(desk.graph.asked, 2);
+  }
+
+  void aMapWithoutLoopsSaysSo() {
+    Desk desk;
+    desk.graph.graph.constraints.resize(1);
+    ClosuresDock& dock = desk.openDock();
+    QTRY_VERIFY(desk.says(QStringLiteral("No loop was closed")));
+    QCOMPARE(dock.model()->rowCount(), 0);
+  }
+
+  void whatCannotBeReadIsSaid() {
+    Desk desk;
+    desk.graph.fails = true;
+    desk.openDock();
+    QTRY_VERIFY(desk.says(QStringLiteral("The pose graph was not read.")));
+  }
+
+  void residualsOfAMappingRobotAreListedWithoutIds() {
+    Desk desk;
+    desk.with_graph = false;
+    ClosuresDock& dock = desk.openDock();
+    QTRY_VERIFY(!dock.model()->rowCount());
+    map::ConstraintsMessage lists;
+    lists.by_name["Inter residuals, same trajectory"] = {{{0, 0}, {0, 1}}, {{1, 0}, {1, 4}}};
+    lists.by_name["Inter constraints, same trajectory"] = {{{0, 0}, {9, 9}}};
+    desk.robot->say(lists);
+    QTRY_COMPARE(dock.model()->rowCount(), 2);
+    QCOMPARE(desk.text(0, ClosuresModel::ResidualColumn), QStringLiteral("4.000"));
+    QVERIFY(desk.says(QStringLiteral("does not say which submaps")));
+  }
+};
+
+}  // namespace test_window_closures
+
+MAPWRIGHT_TEST(test_window_closures, TestWindowClosures, Widgets)
+#include "test_window_closures.moc"

@@ -1,0 +1,168 @@
+#include "ui/slam/closures_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robot/robot.h"
+#include "scene/map_scene.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/plural.h"
+#include "session/session.h"
+#include "ui/kit/panels.h"
+#include "ui/shell/viewpoint.h"
+#include "ui/slam/closures_dock.h"
+
+namespace mapwright::window {
+namespace {
+
+constexpr double kAroundM = 2;            // of a place that is shown
+constexpr double kContradictsMapM = 0.5;  // as the layer colours it
+
+std::vector<ClosureRow> rowsOf(const map::Closures& closures) {
+  std::vector<ClosureRow> rows;
+  rows.reserve(closures.ranked.size());
+  for (const map::Closure& one : closures.ranked)
+    rows.push_back({one.residual_m, one.residual_rad, one.submap, one.node, one.kind, one.stamp_s, one.at,
+                    one.expected});
+  return rows;
+}
+
+/// A mapping robot names its lists: those of residuals are lines from where something is to where it should
+/// be.
+std::vector<ClosureRow> rowsOf(const map::ConstraintsMessage& lists) {
+  std::vector<ClosureRow> rows;
+  for (const auto& [name, segments] : lists.by_name) {
+    if (name.find("esidual") == std::string::npos) continue;
+    const bool intra = name.find("ntra") != std::string::npos;
+    for (const auto& [from, to] : segments)
+      rows.push_back({.residual_m = (to - from).norm(),
+                      .kind = intra ? map::ConstraintKind::Intra : map::ConstraintKind::Inter,
+                      .at = from,
+                      .expected = to});
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const ClosureRow& a, const ClosureRow& b) { return a.residual_m > b.residual_m; });
+  return rows;
+}
+
+}  // namespace
+
+ClosuresController::ClosuresController(WindowContext& context, QObject* parent)
+    : Controller(parent), context_(context), dock_(new ClosuresDock(&context.window)) {
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 21, .menu_rank = 31});
+  connect(dock_, &ClosuresDock::shown, this, &ClosuresController::want);
+  connect(dock_, &ClosuresDock::chosen, this, &ClosuresController::show);
+  connect(dock_, &ClosuresDock::onMapWanted, this,
+          [this](bool shown) { context_.scene.setLayerVisible(scene::Layer::Closures, shown); });
+  connect(dock_, &QDockWidget::visibilityChanged, this, &ClosuresController::want);
+  connect(&context_.scene, &scene::MapScene::layersChanged, this,
+          [this] { dock_->setOnMap(context_.scene.layerVisible(scene::Layer::Closures)); });
+  dock_->setOnMap(context_.scene.layerVisible(scene::Layer::Closures));
+}
+
+void ClosuresController::setSession(session::Session* session) {
+  if (session_) {
+    session_->disconnect(this);
+    session_->poseGraph().disconnect(this);
+  }
+  session_ = session;
+  marked_ = false;
+  if (session_) {
+    connect(&session_->poseGraph(), &session::PoseGraphSlot::changed, this, &ClosuresController::refresh);
+    connect(session_, &session::Session::connectionChanged, this, &ClosuresController::refresh);
+    connect(session_, &session::Session::liveChanged, this, [this](int what) {
+      if (what == map::topicIndex<map::ConstraintsMessage>()) refresh();
+    });
+  }
+  want();
+  refresh();
+}
+
+void ClosuresController::want() {
+  if (!session_) return;
+  const bool open = dock_->isVisible();
+  if (open) session_->poseGraph().want();
+  session_->want(QStringLiteral("closures"), open ? map::Streams{map::Stream::Constraints} : map::Streams{});
+  if (open) refresh();
+}
+
+void ClosuresController::refresh() {
+  if (!dock_->isVisible() && session_) return;
+  dock_->setSummary(summary());
+  if (!session_) return dock_->setRows({});
+  const auto& closures = session_->poseGraph().closures();
+  dock_->setRows(closures ? rowsOf(*closures) : rowsOf(session_->live().constraints));
+}
+
+QString ClosuresController::summary() const {
+  if (!session_) return tr("Connect to a robot or open a file to see its loop closures.");
+  const session::PoseGraphSlot& graph = session_->poseGraph();
+  if (!graph.closures()) {
+    if (graph.loading()) return tr("The pose graph is being read.");
+    if (graph.failure())
+      return tr("The pose graph was not read. %1")
+          .arg(QString::fromStdString(sentences::failureReason(*graph.failure())))
+          .trimmed();
+    if (graph.offered()) return {};
+    if (!session_->live().constraints.by_name.empty())
+      return tr(
+          "The residuals that the robot reports while it maps. It does not say which submaps and nodes "
+          "they tie together.");
+    return sentences::absenceReason(robot::Capability::PoseGraph,
+                                    session_->robot().unavailableReason(robot::Capability::PoseGraph));
+  }
+  const map::Closures& closures = *graph.closures();
+  QStringList said;
+  if (closures.inter == 0) {
+    said << tr("No loop was closed: this map is odometry and scan matching only.");
+  } else {
+    const auto bad =
+        qint64(std::count_if(closures.ranked.begin(), closures.ranked.end(), [](const map::Closure& closure) {
+          return closure.kind == map::ConstraintKind::Inter && closure.residual_m > kContradictsMapM;
+        }));
+    said << sentences::counted(tr("%1 loop closures.", nullptr, sentences::formOf(qint64(closures.inter))),
+                               qint64(closures.inter));
+    said << (bad == 0 ? tr("None contradicts the finished map by more than 0.5 m.")
+                      : sentences::counted(tr("%1 contradict the finished map by more than 0.5 m.", nullptr,
+                                              sentences::formOf(bad)),
+                                           bad));
+  }
+  if (closures.dangling > 0)
+    said << sentences::counted(tr("%1 are not listed: their submap or node is not there.", nullptr,
+                                  sentences::formOf(qint64(closures.dangling))),
+                               qint64(closures.dangling));
+  if (closures.without_pose > 0)
+    said << sentences::counted(tr("%1 are not listed: they have no valid pose.", nullptr,
+                                  sentences::formOf(qint64(closures.without_pose))),
+                               qint64(closures.without_pose));
+  return said.join(QLatin1Char(' '));
+}
+
+void ClosuresController::show(const ClosureRow& row) {
+  if (!session_) return;
+  geometry::WorldRect around;
+  around.extend(row.at);
+  around.extend(row.expected);
+  const Eigen::Vector2d air(kAroundM, kAroundM);
+  around.extend(Eigen::Vector2d(row.at - air));
+  around.extend(Eigen::Vector2d(row.at + air));
+  context_.viewpoint.lookAt(around);
+  scene::MapObject object;
+  object.form = scene::ObjectForm::Line;
+  object.at_m = (row.at + row.expected) / 2;
+  object.parts = {{row.at, row.expected}};
+  context_.scene.setMarked(std::move(object));
+  if (row.submap) Q_EMIT submapShown(*row.submap);
+  marked_ = true;
+}
+
+bool ClosuresController::escape() {
+  if (!std::exchange(marked_, false)) return false;
+  context_.scene.setMarked(std::nullopt);
+  return true;
+}
+
+}  // namespace mapwright::window
+
+#include "moc_closures_controller.cpp"

@@ -1,0 +1,159 @@
+#include "ui/slam/closures_dock.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "sentences/plural.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/tree_view.h"
+
+namespace mapwright::window {
+namespace {
+
+enum KindChoice { LoopClosures, WithinSubmaps, AllConstraints };
+constexpr int kNumberLetters = 8, kIdLetters = 9, kTimeLetters = 16;
+
+}  // namespace
+
+ClosuresDock::ClosuresDock(QWidget* parent)
+    : QDockWidget(tr("Loop closures"), parent),
+      model_(new ClosuresModel(this)),
+      summary_(wrappedLabel({}, this)),
+      filter_(new QLineEdit(this)),
+      kinds_(new QComboBox(this)),
+      least_(new DecimalBox(this)),
+      by_submap_(new QCheckBox(tr("By submap"), this)),
+      on_map_(new QCheckBox(tr("On the map"), this)),
+      table_(new QuietTableView(this)),
+      count_(new PlainLabel(this)) {
+  setObjectName(QStringLiteral("closures"));
+  filter_->setPlaceholderText(tr("Submap or node, as 0-12"));
+  filter_->setAccessibleName(tr("Search submaps and nodes"));
+  filter_->setClearButtonEnabled(true);
+  filter_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  kinds_->addItem(tr("Loop closures"), LoopClosures);
+  kinds_->addItem(tr("Within submaps"), WithinSubmaps);
+  kinds_->addItem(tr("All constraints"), AllConstraints);
+  kinds_->setAccessibleName(tr("Which constraints are listed"));
+  kinds_->setToolTip(
+      tr("Loop closures tie the robot to a submap of an earlier visit (INTER_SUBMAP); the others "
+         "to the submap that was being made (INTRA_SUBMAP)"));
+  least_->setRange(0, 100);
+  least_->setDecimals(2);
+  least_->setSingleStep(0.1);
+  least_->setPrefix(tr("from "));
+  least_->setSuffix(tr(" m"));
+  least_->setAccessibleName(tr("Smallest residual that is listed"));
+  by_submap_->setToolTip(tr("One row for each submap, with its worst constraint; Enter lists the others"));
+  on_map_->setToolTip(tr("Draw loop closures on the map, coloured by how much they contradict it"));
+  showRows(*table_, model_, tr("Constraints"));
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  QHeaderView* const header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  const int letter_px = fontMetrics().averageCharWidth();
+  for (const int column : {ClosuresModel::ResidualColumn, ClosuresModel::TurnColumn})
+    header->resizeSection(column, kNumberLetters * letter_px);
+  for (const int column : {ClosuresModel::SubmapColumn, ClosuresModel::NodeColumn})
+    header->resizeSection(column, kIdLetters * letter_px);
+  columns_ = new NameColumn(table_, header, ClosuresModel::TimeColumn,
+                            {{ClosuresModel::TurnColumn}, {ClosuresModel::NodeColumn}});
+  table_->installEventFilter(this);
+  count_->setSecondary(true);
+  auto* const body = new QWidget(this);
+  body->setLayout(columnOf({rowOf({{summary_, 1}}, 0, QMargins(8, 6, 8, 0)),
+                            rowOf({{filter_, 1}, least_}, 6, QMargins(8, 0, 8, 0)),
+                            rowOf({{kinds_, 1}, by_submap_, on_map_}, 6, QMargins(8, 0, 8, 0)),
+                            {table_, 1},
+                            rowOf({{count_, 1}}, 0, QMargins(8, 0, 8, 4))},
+                           4, QMargins()));
+  setWidget(body);
+  connect(filter_, &QLineEdit::textChanged, this, &ClosuresDock::applyFilter);
+  connect(kinds_, &QComboBox::currentIndexChanged, this, &ClosuresDock::applyFilter);
+  connect(least_, &QDoubleSpinBox::valueChanged, this, &ClosuresDock::applyFilter);
+  connect(by_submap_, &QCheckBox::toggled, this, &ClosuresDock::applyFilter);
+  connect(on_map_, &QCheckBox::toggled, this, &ClosuresDock::onMapWanted);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& row) {
+            if (row.isValid()) Q_EMIT chosen(model_->row(row.row()));
+          });
+  // Once more on the row that is current already: back to its place.
+  connect(table_, &QTableView::clicked, this,
+          [this](const QModelIndex& row) { Q_EMIT chosen(model_->row(row.row())); });
+  connect(table_, &QTableView::doubleClicked, this, &ClosuresDock::openSubmap);
+  count();
+}
+
+ClosuresDock::~ClosuresDock() {
+  table_->selectionModel()->disconnect(this);
+  table_->removeEventFilter(this);
+}
+
+void ClosuresDock::setSummary(const QString& text) { summary_->setText(text); }
+
+void ClosuresDock::setRows(std::vector<ClosureRow> rows) {
+  model_->setRows(std::move(rows));
+  columns_->fit();
+  count();
+}
+
+void ClosuresDock::setOnMap(bool shown) { on_map_->setChecked(shown); }
+
+void ClosuresDock::applyFilter() {
+  const auto kind = KindChoice(kinds_->currentData().toInt());
+  model_->setFilter({.inter = kind != WithinSubmaps,
+                     .intra = kind != LoopClosures,
+                     .least_m = least_->value(),
+                     .text = filter_->text().trimmed(),
+                     .by_submap = by_submap_->isChecked()});
+  columns_->fit();
+  count();
+}
+
+void ClosuresDock::count() {
+  const int listed = model_->rowCount();
+  const auto all = int(model_->all().size());
+  if (by_submap_->isChecked()) {
+    count_->setText(sentences::counted(tr("%1 submaps", nullptr, listed), listed));
+  } else {
+    count_->setText(listed == all ? sentences::counted(tr("%1 constraints", nullptr, all), all)
+                                  : tr("%1 of %2 constraints").arg(countText(listed), countText(all)));
+  }
+}
+
+void ClosuresDock::openSubmap() {
+  const QModelIndex current = table_->currentIndex();
+  if (!current.isValid()) return;
+  const ClosureRow row = model_->row(current.row());
+  if (!by_submap_->isChecked() || !row.submap) return;
+  filter_->setText(QString::fromStdString(map::toText(*row.submap)));
+  by_submap_->setChecked(false);
+}
+
+void ClosuresDock::showEvent(QShowEvent* event) {
+  QDockWidget::showEvent(event);
+  Q_EMIT shown();
+}
+
+bool ClosuresDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && table_->currentIndex().isValid()) {
+      Q_EMIT chosen(model_->row(table_->currentIndex().row()));
+      openSubmap();
+      return true;
+    }
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_closures_dock.cpp"

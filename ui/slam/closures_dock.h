@@ -1,0 +1,63 @@
+// Which loop closures contradict the finished map, the worst first.
+#pragma once
+
+#include <optional>
+
+#include <QDockWidget>
+
+#include "ui/slam/closures_model.h"
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+
+namespace mapwright::window {
+
+class DecimalBox;
+class NameColumn;
+class PlainLabel;
+
+class ClosuresDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  explicit ClosuresDock(QWidget* parent);
+  ~ClosuresDock() override;
+
+  ClosuresModel* model() const { return model_; }
+  QTableView* table() const { return table_; }
+  QLineEdit* filterEdit() const { return filter_; }
+  /// What is known of the map as a whole: sentences.
+  void setSummary(const QString& text);
+  void setRows(std::vector<ClosureRow> rows);
+  /// Whether the layer is on the map.
+  void setOnMap(bool shown);
+
+ Q_SIGNALS:
+  void chosen(const mapwright::window::ClosureRow& row);  // by a click, Enter or the arrow keys
+  void onMapWanted(bool shown);
+  void shown();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void applyFilter();
+  void count();
+  void openSubmap();
+
+  ClosuresModel* model_;
+  QLabel* summary_;
+  QLineEdit* filter_;
+  QComboBox* kinds_;
+  DecimalBox* least_;
+  QCheckBox *by_submap_, *on_map_;
+  QTableView* table_;
+  PlainLabel* count_;
+  NameColumn* columns_ = nullptr;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,122 @@
+#include "ui/slam/closures_model.h"
+
+#include <map>
+#include <utility>
+
+#include <QDateTime>
+#include <QLocale>
+
+#include "geometry/pose.h"
+#include "sentences/plural.h"
+
+namespace mapwright::window {
+namespace {
+
+QString nameOf(const std::optional<map::SubmapId>& id) {
+  return id ? QString::fromStdString(map::toText(*id)) : QString();
+}
+QString nameOf(const std::optional<map::NodeId>& id) {
+  return id ? QString::fromStdString(map::toText(*id)) : QString();
+}
+
+}  // namespace
+
+void ClosuresModel::setRows(std::vector<ClosureRow> rows) {
+  beginResetModel();
+  rows_ = std::move(rows);
+  list();
+  endResetModel();
+}
+
+void ClosuresModel::setFilter(ClosureFilter filter) {
+  if (filter == filter_) return;
+  beginResetModel();
+  filter_ = std::move(filter);
+  list();
+  endResetModel();
+}
+
+void ClosuresModel::list() {
+  listed_.clear();
+  std::map<map::SubmapId, std::size_t> seen;  // where it is listed
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const ClosureRow& row = rows_[i];
+    if (!(row.kind == map::ConstraintKind::Inter ? filter_.inter : filter_.intra)) continue;
+    if (row.residual_m < filter_.least_m) continue;
+    if (!filter_.text.isEmpty() && !nameOf(row.submap).startsWith(filter_.text) &&
+        !nameOf(row.node).startsWith(filter_.text))
+      continue;
+    if (filter_.by_submap && row.submap) {
+      const auto [at, fresh] = seen.try_emplace(*row.submap, listed_.size());
+      if (!fresh) {
+        ++listed_[at->second].of_submap;
+        continue;
+      }
+    }
+    listed_.push_back({i});
+  }
+}
+
+QVariant ClosuresModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  if (role == Qt::TextAlignmentRole) {
+    const bool number = index.column() == ResidualColumn || index.column() == TurnColumn;
+    return int((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
+  const Listed& listed = listed_[std::size_t(index.row())];
+  const ClosureRow& row = rows_[listed.row];
+  switch (Column(index.column())) {
+    case ResidualColumn:
+      return QString::number(row.residual_m, 'f', 3);
+    case TurnColumn:
+      return row.residual_rad ? QString::number(geometry::degreesFromRadians(*row.residual_rad), 'f', 2)
+                              : QString();
+    case SubmapColumn:
+      return nameOf(row.submap);
+    case NodeColumn:
+      return filter_.by_submap && row.submap
+                 ? sentences::counted(tr("%1 constraints", nullptr, listed.of_submap), listed.of_submap)
+                 : nameOf(row.node);
+    case TimeColumn:
+      return row.stamp_s
+                 ? QLocale().toString(QDateTime::fromMSecsSinceEpoch(qint64(*row.stamp_s * 1000)),
+                                      role == Qt::ToolTipRole ? QLocale::LongFormat : QLocale::ShortFormat)
+                 : QString();
+    case kColumns:
+      break;
+  }
+  return {};
+}
+
+QVariant ClosuresModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int((section == ResidualColumn || section == TurnColumn ? Qt::AlignRight : Qt::AlignLeft) |
+               Qt::AlignVCenter);
+  if (role == Qt::ToolTipRole) {
+    if (section == ResidualColumn)
+      return tr("How far the constraint has the robot from where the finished map has it, metres");
+    if (section == TurnColumn) return tr("The same for its heading, degrees");
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (Column(section)) {
+    case ResidualColumn:
+      return tr("Off, m");
+    case TurnColumn:
+      return tr("Turn, °");
+    case SubmapColumn:
+      return tr("Submap");
+    case NodeColumn:
+      return filter_.by_submap ? tr("Constraints") : tr("Node");
+    case TimeColumn:
+      return tr("Time");
+    case kColumns:
+      break;
+  }
+  return {};
+}
+
+}  // namespace mapwright::window
+
+#include "moc_closures_model.cpp"

@@ -1,0 +1,67 @@
+// Constraints of the pose graph as a table, the largest residual first; or one row for each submap.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QAbstractTableModel>
+
+#include "map/closures.h"
+
+namespace mapwright::window {
+
+/// A constraint as far as the robot says: of the residuals of a mapping robot only the lines are known.
+struct ClosureRow {
+  double residual_m = 0;
+  std::optional<double> residual_rad = {};
+  std::optional<map::SubmapId> submap = {};
+  std::optional<map::NodeId> node = {};
+  map::ConstraintKind kind = map::ConstraintKind::Inter;
+  std::optional<double> stamp_s = {};
+  Eigen::Vector2d at{0, 0}, expected{0, 0};  // world, see map::Closure
+};
+
+/// Which rows are listed.
+struct ClosureFilter {
+  bool inter = true, intra = false;
+  double least_m = 0;
+  QString text = {};  // part of the name of the submap or the node
+  bool by_submap = false;
+  bool operator==(const ClosureFilter&) const = default;
+};
+
+class ClosuresModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { ResidualColumn, TurnColumn, SubmapColumn, NodeColumn, TimeColumn, kColumns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Largest residual first.
+  void setRows(std::vector<ClosureRow> rows);
+  void setFilter(ClosureFilter filter);
+  const ClosureFilter& filter() const { return filter_; }
+  const std::vector<ClosureRow>& all() const { return rows_; }
+  /// Of the table; of a submap its worst.
+  const ClosureRow& row(int row) const { return rows_[listed_[std::size_t(row)].row]; }
+
+  int rowCount(const QModelIndex& parent = {}) const override {
+    return parent.isValid() ? 0 : int(listed_.size());
+  }
+  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Listed {
+    std::size_t row = 0;
+    int of_submap = 1;  // how many constraints the row stands for
+  };
+  void list();
+
+  std::vector<ClosureRow> rows_;
+  std::vector<Listed> listed_;
+  ClosureFilter filter_;
+};
+
+}  // namespace mapwright::window
