@@ -166,7 +166,7 @@ int runCommand(int argc, char** argv) {
   play->add_option("file", operand, help(Text::tr("MCAP or ROS bag")))->required();
   Commands commands(cli);
   for (const auto add : {addSimulate, addSnapshot, addCompare, addSuite, addMaps, addProjections,
-                         addWaypoints, addOverlays, addBags, addRecord, addClouds, addTopics, addProbe})
+                         addWaypoints, addOverlays, addBags, addRecord, addClouds, addSlam, addTopics, addProbe})
     add(commands);
   addLog(cli, log_rules);
   CLI::App* bench = cli.add_subcommand("bench", help(Text::tr("Run the benchmarks")));

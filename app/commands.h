@@ -123,6 +123,9 @@ void addOverlays(Commands& commands);
 void addBags(Commands& commands);
 void addRecord(Commands& commands);
 void addClouds(Commands& commands);
+void addSlam(Commands& commands);
+/// Subcommands of `slam`: whether submaps agree.
+void addSlamAgreement(Commands& commands, CLI::App& slam);
 void addTopics(Commands& commands);
 void addProbe(Commands& commands);
 

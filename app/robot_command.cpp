@@ -285,7 +285,7 @@ CommandResult<render::PlacedGrid> RobotReading::map(const QString& id, double re
   return grid;
 }
 
-CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
+CommandResult<std::vector<render::PlacedTexture>> RobotReading::submapTextures() {
   if (!session_.robot().submapSource()) {
     return lacks(robot::Capability::Submaps);
   }
@@ -310,7 +310,7 @@ CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
     }
   }
   if (textures.empty()) {
-    // A snapshot would be empty, but a grid of no size is impossible.
+    // A snapshot would be empty, but there is no grid of no size, and nothing to compare.
     const QStringList why = refused() ? problems(map::Severity::Error) : warnings();
     return failure(complete_   ? int(kRobotError)
                    : refused() ? exitCodeOf(map::FailureKind::Refused)
@@ -320,9 +320,16 @@ CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
                        ? Text::tr("None of its submaps has a slice %1.").arg(session_.slice())
                        : Text::tr("None of its submaps could be loaded. %1").arg(firstOf(why)));
   }
+  return textures;
+}
+
+CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
+  const auto textures = submapTextures();
+  if (!textures) return passOn(textures);
+  const session::SubmapCounts counts = session_.counts();
   render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
   bool in_time = true;
-  auto made = render::composeGrid(textures, resolution_m, cache,
+  auto made = render::composeGrid(*textures, resolution_m, cache,
                                   [&](double) {
                                     in_time = !time_.over(time_.start.grace.draw_s);
                                     return in_time;

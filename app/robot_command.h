@@ -17,6 +17,7 @@
 #include "app/deadline.h"
 #include "app/report.h"
 #include "map/map_part.h"
+#include "render/compositor.h"
 #include "render/sample_grid.h"
 #include "robot/map_administration.h"
 #include "session/session.h"
@@ -49,6 +50,9 @@ class RobotReading {
   /// Opens a map and reads it completely. "" = the live or current one; "submaps" composes the submaps at
   /// `resolution_m`. Afterwards the session does not change any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
+  /// Waits for all submaps; those that came, at least one, in painting order. Afterwards the session does not
+  /// change any more.
+  CommandResult<std::vector<render::PlacedTexture>> submapTextures();
   /// A region of the map of a map dispatcher, nullopt: the whole map. It is placed where the dispatcher says.
   CommandResult<render::PlacedGrid> part(const std::optional<map::GridRegion>& region);
   /// Requests a change of one of its maps and waits for the result. When the time runs out the request is

@@ -53,6 +53,38 @@ int Coverage::most() const {
   return most;
 }
 
+std::vector<SeenPlace> seenPlaces(const Coverage& coverage) {
+  std::map<Square, SeenPlace> squares;
+  for (const auto& [key, tile] : coverage.tiles) {
+    for (int row = 0; row < kTileCells; ++row) {
+      SeenPlace* place = nullptr;
+      Square of_place;
+      for (int column = 0; column < kTileCells; ++column) {
+        const int seen_by = tile->seenBy(column, row);
+        if (seen_by == 0) continue;
+        const Eigen::Vector2d centre = centreOf(key, column, row, coverage.cell_m);
+        const Square square = squareAt(centre.x(), centre.y());
+        if (!place || square != of_place) {
+          place = &squares[square];
+          of_place = square;
+        }
+        ++place->seen_cells;
+        if (seen_by == 1) ++place->seen_once;
+      }
+    }
+  }
+  std::vector<SeenPlace> places;
+  for (auto& [square, place] : squares) {
+    place.x = square.x + 0.5;
+    place.y = square.y + 0.5;
+    places.push_back(place);
+  }
+  std::sort(places.begin(), places.end(), [](const SeenPlace& a, const SeenPlace& b) {
+    return std::tuple(b.seen_once, a.y, a.x) < std::tuple(a.seen_once, b.y, b.x);
+  });
+  return places;
+}
+
 bool Survey::InStrips::operator()(TileKey a, TileKey b) const {
   const auto order = [](TileKey key) { return std::tuple(key.row >> 2, key.column, key.row); };
   return order(a) < order(b);

@@ -55,6 +55,14 @@ struct Coverage {
   int most() const;  // submaps that saw one cell, at most kManySubmaps
 };
 
+/// A square of 1 m with a cell that a submap saw.
+struct SeenPlace {
+  double x = 0, y = 0;  // its centre, metres in the world
+  std::uint64_t seen_cells = 0, seen_once = 0;
+};
+/// Most cells that were seen once first, then by y, x.
+std::vector<SeenPlace> seenPlaces(const Coverage& coverage);
+
 /// Pure state, one thread: take() gives out work for any thread, put() takes the result.
 class Survey {
  public:

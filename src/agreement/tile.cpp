@@ -72,8 +72,8 @@ Sampling samplingOf(const render::PlacedTexture& placed, TileKey key, double cel
   const geometry::Pose2& pose = placed.world_from_texture;
   const double c = std::cos(pose.yaw_rad), s = std::sin(pose.yaw_rad),
                resolution = placed.texture->resolutionM();
-  const double x = (double(key.column) * kTileCells + 0.5) * cell_m - pose.x_m;
-  const double y = (double(key.row) * kTileCells + 0.5) * cell_m - pose.y_m;
+  const Eigen::Vector2d first = centreOf(key, 0, 0, cell_m);
+  const double x = first.x() - pose.x_m, y = first.y() - pose.y_m;
   // Rows run along -x of the texture's frame, columns along -y.
   const auto toCells = [&](double along_x, double along_y) {
     return Eigen::Vector2d((s * along_x - c * along_y) / resolution,
@@ -311,6 +311,13 @@ Reading readingOf(cells::CellPair cell) {
     probability = 1 - intensity / 255;
   }
   return probability > 0.6 ? Reading::Occupied : probability < 0.4 ? Reading::Free : Reading::Undecided;
+}
+
+Square squareAt(double x, double y) { return {std::int32_t(std::floor(x)), std::int32_t(std::floor(y))}; }
+
+Eigen::Vector2d centreOf(TileKey key, int column, int row, double cell_m) {
+  return {(double(key.column) * kTileCells + column + 0.5) * cell_m,
+          (double(key.row) * kTileCells + row + 0.5) * cell_m};
 }
 
 geometry::WorldRect boundsOf(TileKey key, double cell_m) {

@@ -19,6 +19,8 @@
 #include <memory>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "cells/cell_texture.h"
 #include "geometry/rect.h"
 #include "map/submap.h"
@@ -49,6 +51,8 @@ struct Square {
   std::int32_t x = 0, y = 0;
   auto operator<=>(const Square&) const = default;
 };
+
+Square squareAt(double x, double y);
 
 struct SquareFindings {
   std::uint64_t cells = 0;             // that contradict
@@ -97,6 +101,8 @@ struct TileTask {
 };
 
 geometry::WorldRect boundsOf(TileKey key, double cell_m);
+/// The centre of a cell of a tile, in the world.
+Eigen::Vector2d centreOf(TileKey key, int column, int row, double cell_m);
 /// Submaps beyond do not matter to the tile.
 geometry::WorldRect reachOf(TileKey key, const Rules& rules);
 
