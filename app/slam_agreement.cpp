@@ -288,7 +288,7 @@ void print(const Coverage& found) {
 
 /// Files, then what is printed. The error is a sentence.
 template <typename Found>
-std::optional<QString> tell(RobotCommand& command, const RobotReading& reading,
+std::optional<QString> tell(RobotCommand& command, const QString& name, const RobotReading& reading,
                             const AgreementArguments& args, const Found& found,
                             const std::function<tl::expected<HeatPicture, QString>()>& draw) {
   if (!args.output.empty()) {
@@ -298,7 +298,7 @@ std::optional<QString> tell(RobotCommand& command, const RobotReading& reading,
     if (const auto why = writeCsv(args, csvOf(found))) return why;
   }
   const QJsonObject json = jsonOf(found);
-  command.report(QStringLiteral("found"), json);
+  command.report(name, json);
   if (args.json) {
     printJson(withCompleteness(json, reading));
   } else if (!printsFile(args)) {
@@ -320,7 +320,7 @@ CommandResult<int> slamDisagreement(RobotCommand& command, const AgreementArgume
                               .arg(percent(found.contradicted_cells, found.occupied_cells))
                               .arg(*args.fail_over * 100));
   }
-  const auto why = tell(command, **reading, args, found, [&] {
+  const auto why = tell(command, QStringLiteral("disagreement"), **reading, args, found, [&] {
     const agreement::DisagreementHeat heat(found);
     return heatPicture(
         found.tiles, found.cell_m, heat.colors(),
@@ -337,7 +337,7 @@ CommandResult<int> slamCoverage(RobotCommand& command, const AgreementArguments&
   const auto survey = surveyOf(**reading, args);
   if (!survey) return passOn(survey);
   const Coverage found = survey->coverage();
-  const auto why = tell(command, **reading, args, found, [&] {
+  const auto why = tell(command, QStringLiteral("coverage"), **reading, args, found, [&] {
     return heatPicture(found.tiles, found.cell_m, agreement::CoverageHeat::colors(),
                        [](agreement::TileKey, const agreement::Tile& tile) {
                          return agreement::CoverageHeat::shades(tile);

@@ -42,6 +42,20 @@
 <context>
     <name>CommandLine</name>
     <message numerus="yes">
+        <source>%1 submaps lie too far away to be compared: %2.</source>
+        <translation>
+            <numerusform>%1 submap lies too far away to be compared: %2.</numerusform>
+            <numerusform>%1 submaps lie too far away to be compared: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %1 more places (--csv or --json for all)</source>
+        <translation>
+            <numerusform>… and %1 more place (--csv or --json for all)</numerusform>
+            <numerusform>… and %1 more places (--csv or --json for all)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 cells of the image are neither free nor occupied but in between: they are sent as map_server reads them (from 65 % occupied, below 19.6 % free, else unknown).</source>
         <translation>
             <numerusform>%1 cell of the image is neither free nor occupied but in between: it is sent as map_server reads it (from 65 % occupied, below 19.6 % free, else unknown).</numerusform>

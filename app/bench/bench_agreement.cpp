@@ -22,7 +22,8 @@ constexpr int kCells = 200;  // a submap is 10 m x 10 m
 constexpr double kCellM = 0.05;
 
 /// Rows of a shop floor: submaps every 2 m along aisles of 200 m that are 4 m apart, 41 % of their cells
-/// known. Their textures are 64 different ones, each held anew, since a robot sends each of its own.
+/// known. They lie at any angle and so contradict each other nearly everywhere, which takes longest. Their
+/// textures are 64 different ones, each held anew, since a robot sends each of its own.
 std::vector<render::PlacedTexture> route(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-0.03, 0.03);

@@ -316,6 +316,9 @@ class ManualTest : public QObject {
     row("probe", "probe ROSHOST --json");
     row("projections list", "projections list --robot REP130 --json");
     row("clouds export", "clouds export --all -o cloud.pcd --force --robot REP130 --json");
+    row("slam disagreement", "slam disagreement --robot AXBOT --json");
+    row("slam coverage", "slam coverage --robot AXBOT --json");
+    row("report", "slam coverage --robot AXBOT --report -");
     row("report", "maps show 1 --robot AXBOT --report -");
     row("report", "maps list --robot AXBOT --json --report -");
     row("report", "maps diff map.yaml map.yaml --report -");
