@@ -33,6 +33,7 @@ inline constexpr FaultCode FileChanged{"files",
                                        QT_TRANSLATE_NOOP("files", "%1 has changed on disk in the meantime.")};
 /// the most, with its unit
 inline constexpr FaultCode FileTooLarge{"files", QT_TRANSLATE_NOOP("files", "it is larger than %1")};
+inline constexpr FaultCode FileEmpty{"files", QT_TRANSLATE_NOOP("files", "it is empty")};
 inline constexpr FaultCode NotAFeatureCollection{
     "files", QT_TRANSLATE_NOOP("files", "it is not a GeoJSON FeatureCollection")};
 /// property

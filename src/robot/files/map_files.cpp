@@ -245,7 +245,7 @@ Outcome<WaypointFiles::Content> WaypointFiles::look(const Location& location) co
     auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
     if (!bytes) return unreadable(bytes.error().cause);
     if (bytes->size() > kMaxWaypointBytes) return unreadable({fault::FileTooLarge, {"64 MiB"}});
-    if (bytes->empty()) return unreadable(faultText("files", "it is empty"));
+    if (bytes->empty()) return unreadable({fault::FileEmpty});
     auto waypoints = parseWaypoints(*bytes);
     if (!waypoints) return unreadable(waypoints.error());
     content.bytes = std::move(*bytes);

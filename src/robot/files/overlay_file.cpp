@@ -36,7 +36,7 @@ tl::expected<std::string, Fault> textIn(const QString& path) {
   if (!bytes) return tl::make_unexpected(bytes.error().cause);
   if (bytes->size() > kMaxOverlayBytes) return tl::make_unexpected(Fault(fault::FileTooLarge, {"256 MiB"}));
   // Nobody means to say "no overlays" so: it is being written, or the disk was full.
-  if (bytes->empty()) return tl::make_unexpected(Fault(faultText("files", "it is empty")));
+  if (bytes->empty()) return tl::make_unexpected(Fault(fault::FileEmpty));
   return std::move(*bytes);
 }
 
