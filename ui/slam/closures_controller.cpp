@@ -54,11 +54,11 @@ ClosuresController::ClosuresController(WindowContext& context, QObject* parent)
   connect(dock_, &ClosuresDock::shown, this, &ClosuresController::want);
   connect(dock_, &ClosuresDock::chosen, this, &ClosuresController::show);
   connect(dock_, &ClosuresDock::onMapWanted, this,
-          [this](bool shown) { context_.scene.setLayerVisible(scene::Layer::Closures, shown); });
+          [this](bool shown) { context_.scene.setLayerVisible(layer(), shown); });
   connect(dock_, &QDockWidget::visibilityChanged, this, &ClosuresController::want);
   connect(&context_.scene, &scene::MapScene::layersChanged, this,
-          [this] { dock_->setOnMap(context_.scene.layerVisible(scene::Layer::Closures)); });
-  dock_->setOnMap(context_.scene.layerVisible(scene::Layer::Closures));
+          [this] { dock_->setOnMap(context_.scene.layerVisible(layer())); });
+  dock_->setOnMap(context_.scene.layerVisible(layer()));
 }
 
 void ClosuresController::setSession(session::Session* session) {
@@ -79,6 +79,10 @@ void ClosuresController::setSession(session::Session* session) {
   refresh();
 }
 
+scene::Layer ClosuresController::layer() const {
+  return session_ && !session_->poseGraph().offered() ? scene::Layer::Constraints : scene::Layer::Closures;
+}
+
 void ClosuresController::want() {
   if (!session_) return;
   const bool open = dock_->isVisible();
@@ -90,6 +94,7 @@ void ClosuresController::want() {
 void ClosuresController::refresh() {
   if (!dock_->isVisible() && session_) return;
   dock_->setSummary(summary());
+  dock_->setOnMap(context_.scene.layerVisible(layer()));
   if (!session_) return dock_->setRows({});
   const auto& closures = session_->poseGraph().closures();
   dock_->setRows(closures ? rowsOf(*closures) : rowsOf(session_->live().constraints));

@@ -3,6 +3,7 @@
 
 #include <QPointer>
 
+#include "scene/layer.h"
 #include "session/session.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
@@ -31,6 +32,8 @@ class ClosuresController : public Controller {
   void refresh();
   void show(const ClosureRow& row);
   QString summary() const;
+  /// That draws them: of a robot that only reports residuals another one.
+  scene::Layer layer() const;
 
   WindowContext& context_;
   ClosuresDock* dock_;

@@ -1,5 +1,7 @@
 #include "ui/slam/closures_dock.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
@@ -19,7 +21,7 @@ namespace mapwright::window {
 namespace {
 
 enum KindChoice { LoopClosures, WithinSubmaps, AllConstraints };
-constexpr int kNumberLetters = 8, kIdLetters = 9, kTimeLetters = 16;
+constexpr int kNumberLetters = 9, kIdLetters = 10;
 
 }  // namespace
 
@@ -59,10 +61,12 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   const int letter_px = fontMetrics().averageCharWidth();
+  const auto widen = [&](int column, int letters) {
+    header->resizeSection(column, std::max(letters * letter_px, header->sectionSizeHint(column)));
+  };
   for (const int column : {ClosuresModel::ResidualColumn, ClosuresModel::TurnColumn})
-    header->resizeSection(column, kNumberLetters * letter_px);
-  for (const int column : {ClosuresModel::SubmapColumn, ClosuresModel::NodeColumn})
-    header->resizeSection(column, kIdLetters * letter_px);
+    widen(column, kNumberLetters);
+  for (const int column : {ClosuresModel::SubmapColumn, ClosuresModel::NodeColumn}) widen(column, kIdLetters);
   columns_ = new NameColumn(table_, header, ClosuresModel::TimeColumn,
                             {{ClosuresModel::TurnColumn}, {ClosuresModel::NodeColumn}});
   table_->installEventFilter(this);
