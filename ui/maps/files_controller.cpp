@@ -46,13 +46,14 @@ void FilesController::open(const QString& path) {
   };
   if (!info.exists()) {
     refuse(tr("%1 does not exist.").arg(QDir::toNativeSeparators(path)));
-  } else if (info.isDir() || isMapYaml(path) || isRecordingFile(path) || isOverlayFile(path)) {
+  } else if (info.isDir() || isMapYaml(path) || isRecordingFile(path) || isOverlayFile(path) ||
+             isStateFile(path)) {
     Q_EMIT addressWanted(fileAddress(path));
   } else if (isBarePicture(path)) {
     placing_.place(path, tr("Open"), [this](const QString& address) { Q_EMIT addressWanted(address); });
   } else {
     refuse(tr("%1 is neither a map nor a recording. Choose a map.yaml, a picture (PNG, PGM, BMP), overlays "
-              "(GeoJSON), an MCAP file or a bag (.bag, .db3).")
+              "(GeoJSON), a state file of Cartographer (.pbstream), an MCAP file or a bag (.bag, .db3).")
                .arg(plainWords(info.fileName(), 120)));
   }
 }

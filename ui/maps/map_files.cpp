@@ -39,6 +39,7 @@ bool isRecordingFile(const QString& path) {
                             ".bag.zst", ".db3.zst"});
 }
 bool isOverlayFile(const QString& path) { return endsWithAny(path, {".geojson"}); }
+bool isStateFile(const QString& path) { return endsWithAny(path, {".pbstream"}); }
 
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement) {
   const QString address = QStringLiteral("file:") + QDir::cleanPath(QFileInfo(path).absoluteFilePath());
@@ -54,7 +55,7 @@ QString droppedMap(const QList<QUrl>& urls) {
     if (!url.isLocalFile()) continue;
     const QString path = url.toLocalFile();
     // Dropping a map.yaml together with its picture means the map.
-    if (isMapYaml(path) || isRecordingFile(path) || QFileInfo(path).isDir()) return path;
+    if (isMapYaml(path) || isRecordingFile(path) || isStateFile(path) || QFileInfo(path).isDir()) return path;
     if (picture.isEmpty() && (isBarePicture(path) || isOverlayFile(path))) picture = path;
   }
   return picture;
@@ -63,10 +64,10 @@ QString droppedMap(const QList<QUrl>& urls) {
 QString mapFileFilter() {
   return QCoreApplication::translate(
       "window",
-      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.geojson *.mcap *.bag *.db3 *.zstd *.YAML *.PNG "
-      "*.PGM *.BMP);;"
-      "ROS maps (*.yaml *.yml);;Pictures (*.png *.pgm *.bmp);;Overlays (*.geojson);;Recordings (*.mcap "
-      "*.bag *.db3 *.zstd metadata.yaml);;"
+      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.geojson *.pbstream *.mcap *.bag *.db3 *.zstd "
+      "*.YAML *.PNG *.PGM *.BMP);;"
+      "ROS maps (*.yaml *.yml);;Pictures (*.png *.pgm *.bmp);;Overlays (*.geojson);;SLAM states of "
+      "Cartographer (*.pbstream);;Recordings (*.mcap *.bag *.db3 *.zstd metadata.yaml);;"
       "All files (*)");
 }
 

@@ -34,9 +34,12 @@ bool isBarePicture(const QString& path);
 bool isRecordingFile(const QString& path);
 /// By its extension: GeoJSON.
 bool isOverlayFile(const QString& path);
+/// By its extension: a state file of Cartographer.
+bool isStateFile(const QString& path);
 /// "file:/maps/a.yaml", "file:/maps/a.png?resolution=0.05&origin=-1,2,0".
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement = {});
-/// The one dropped file that can be opened: a map.yaml, a recording, a picture or a folder. Empty = none.
+/// The one dropped file that can be opened: a map.yaml, a recording, a state file, a picture or a folder.
+/// Empty = none.
 QString droppedMap(const QList<QUrl>& urls);
 /// For file dialogs: maps and recordings.
 QString mapFileFilter();

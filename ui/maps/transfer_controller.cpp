@@ -194,11 +194,15 @@ void TransferController::refresh() {
 void TransferController::fillMenu(QMenu* menu, const map::MapKey& key) {
   if (!transfer() || key.kind != map::MapKind::Stored) return;
   QAction* const action =
-      menu->addAction(tr("Download with its data…"), this, [this, key] { askWhereTo(key); });
+      menu->addAction(tr("Download with its data…"), this, [this, key] { askWhereTo(key, false); });
   action->setEnabled(!dialog_);
+  QAction* const opens =
+      menu->addAction(tr("Download and open its submaps…"), this, [this, key] { askWhereTo(key, true); });
+  opens->setEnabled(!dialog_);
+  opens->setToolTip(tr("Shows the SLAM state of this map from the downloaded file, without the robot"));
 }
 
-void TransferController::askWhereTo(const map::MapKey& key) {
+void TransferController::askWhereTo(const map::MapKey& key, bool open) {
   session::Session* const session = context_.current.session();
   const map::CatalogueEntry* const map = session ? session->catalogue().find(key) : nullptr;
   if (!map) return;
@@ -209,7 +213,7 @@ void TransferController::askWhereTo(const map::MapKey& key) {
       folderToWriteInto({context_.settings.value(kDownloadsKey).toString(), downloads}));
   if (parent.isEmpty()) return;
   context_.settings.setValue(kDownloadsKey, parent);
-  download(key, words::plainName(entry.name), folderFor(parent, entry));
+  download(key, words::plainName(entry.name), folderFor(parent, entry), open);
 }
 
 void TransferController::begin(const QString& title, const QString& what) {
@@ -221,22 +225,24 @@ void TransferController::begin(const QString& title, const QString& what) {
   refresh();
 }
 
-void TransferController::download(const map::MapKey& key, const QString& name, const QString& folder) {
+void TransferController::download(const map::MapKey& key, const QString& name, const QString& folder,
+                                  bool open) {
   robot::MapTransfer* const robots = transfer();
   if (!robots) return;
   const QString where = words::plainName(folder.toStdString());
   begin(tr("Download a map"), tr("%1 goes to %2").arg(name, where));
-  connect(dialog_, &TransferDialog::againWanted, this, [this, key, name, folder] {
+  connect(dialog_, &TransferDialog::againWanted, this, [this, key, name, folder, open] {
     // The dialog is the one that asks.
     QMetaObject::invokeMethod(
-        this, [=, this] { download(key, name, folder); }, Qt::QueuedConnection);
+        this, [=, this] { download(key, name, folder, open); }, Qt::QueuedConnection);
   });
   // The checksum may be finished after the robot is left.
   const auto wanted = [self = QPointer<TransferController>(this), asked = asked_] {
     return self && asked == self->asked_ && self->dialog_;
   };
   dialog_->setCall(jobs::downloadMap(
-      *robots, key, folder, [this, wanted, name, where](const robot::Outcome<jobs::DownloadedMap>& done) {
+      *robots, key, folder,
+      [this, wanted, name, where, open](const robot::Outcome<jobs::DownloadedMap>& done) {
         if (!wanted()) return;
         if (!done) {
           const QString said = QString::fromStdString(sentences::sentenceOf(done.error()));
@@ -248,6 +254,8 @@ void TransferController::download(const map::MapKey& key, const QString& name, c
                 ? tr("%1 was downloaded to %2, %3.").arg(name, where, bytesText(done->bytes))
                 : tr("%1 was downloaded to %2 without data: the robot has none for it.").arg(name, where));
         dialog_->accept();
+        if (open && done->has_data)
+          Q_EMIT openWanted(QDir(done->folder).filePath(QStringLiteral("map.pbstream")));
       }));
 }
 

@@ -55,7 +55,8 @@ class TransferController : public Controller {
   /// Adds what can be done with this map to its menu.
   void fillMenu(QMenu* menu, const map::MapKey& key);
   /// Into this folder, which becomes a map's folder.
-  void download(const map::MapKey& key, const QString& name, const QString& folder);
+  /// `open`: then its submaps are opened.
+  void download(const map::MapKey& key, const QString& name, const QString& folder, bool open = false);
   /// `as_new`: as another map, with a uid of its own.
   void upload(const QString& folder, bool as_new = false);
   /// Asks for the place of this picture.
@@ -63,9 +64,13 @@ class TransferController : public Controller {
   TransferDialog* dialog() const { return dialog_; }       // null: none is in progress
   NewMapDialog* newMapDialog() const { return new_map_; }  // likewise
 
+ Q_SIGNALS:
+  /// A file of a map that was downloaded.
+  void openWanted(const QString& path);
+
  private:
   robot::MapTransfer* transfer() const;
-  void askWhereTo(const map::MapKey& key);
+  void askWhereTo(const map::MapKey& key, bool open);
   void askForPlace(const QString& path, const QSize& size, const QImage& shown);
   /// `read` runs on another thread.
   void add(const QString& title, const QString& what,

@@ -232,6 +232,7 @@ void MainWindow::connectControllers() {
   connect(overlays_, &OverlaysController::fileWritten, maps_, &MapsController::expectOwnChange);
   picture_->setNamed([this] { return connection_->named(); });
   connect(picture_, &PictureController::fileWanted, files_, &FilesController::open);
+  connect(transfer_, &TransferController::openWanted, files_, &FilesController::open);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
