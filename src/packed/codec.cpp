@@ -41,6 +41,10 @@ Outcome unpackZstd(std::span<const std::uint8_t> packed, std::size_t size) {
   return out;
 }
 
+struct FreeCompressor {
+  void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
+
 struct FreeLz4 {
   void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
 };
@@ -105,6 +109,17 @@ ByteBuffer packZstd(std::span<const std::uint8_t> bytes, int level) {
   const std::size_t size = ZSTD_compress(out.data.get(), out.size, bytes.data(), bytes.size(), level);
   if (ZSTD_isError(size)) return {};
   out.size = size;
+  return out;
+}
+
+ByteBuffer packGzip(std::span<const std::uint8_t> bytes) {
+  constexpr int kUsualLevel = 6;
+  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
+      libdeflate_alloc_compressor(kUsualLevel));
+  if (!compressor) return {};
+  ByteBuffer out = room(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()));
+  if (!out.data) return {};
+  out.size = libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), out.data.get(), out.size);
   return out;
 }
 

@@ -25,6 +25,9 @@ tl::expected<ByteBuffer, UnpackFailure> unpackExactly(Codec codec, std::span<con
 /// not enough memory.
 ByteBuffer packZstd(std::span<const std::uint8_t> bytes, int level);
 
+/// One gzip stream of one member. Empty if there is not enough memory.
+ByteBuffer packGzip(std::span<const std::uint8_t> bytes);
+
 /// The length that a Zstandard frame states; nullopt: none, or it is no such frame.
 std::optional<std::uint64_t> zstdContentSize(std::span<const std::uint8_t> packed);
 
