@@ -21,6 +21,7 @@
 #include "robot/files/local_maps.h"
 #include "robot/files/overlay_file.h"
 #include "robot/files/waypoint_file.h"
+#include "robot/pbstream/state_robot.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_probe.h"
@@ -107,6 +108,15 @@ Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
     if (!recording.ns.empty()) text += QStringLiteral("?ns=") + QString::fromStdString(recording.ns);
     return std::make_unique<robot::recorded::RecordedRobot>(text, std::move(recording));
   }
+  if (robot::pbstream::hasStateFileName(address.path)) {
+    if (!address.options.isEmpty())
+      return tl::make_unexpected(
+          Text::tr("%1 is a Cartographer state file: leave out the part after the ?.").arg(address.path));
+    robot::pbstream::StateOptions state;
+    state.path = absolute(address.path);
+    return std::make_unique<robot::pbstream::StateRobot>(QStringLiteral("file:") + state.path,
+                                                         std::move(state));
+  }
   if (address.options.hasQueryItem(QStringLiteral("ns")))
     return tl::make_unexpected(
         Text::tr("%1: ?ns= names a robot in a recording, and this is none.").arg(address.path));
@@ -135,12 +145,13 @@ robot::AddressScheme demoAddressScheme() {
           [](const QString& typed) { return typed == QLatin1String("demo"); }, false};
 }
 
-/// Maps and recordings: a path with a recording's extension is one, even if it does not exist.
+/// Maps, recordings and state files: a path with such an extension is one, even if it does not exist.
 robot::AddressScheme fileScheme() {
   robot::AddressScheme scheme = robot::files::addressScheme();
   scheme.claims = [maps = scheme.claims](const QString& typed) {
-    const bool recording = robot::recorded::hasRecordingName(typed.section(QLatin1Char('?'), 0, 0));
-    return maps(typed) || (recording && !typed.contains(QLatin1String("://")));
+    const QString path = typed.section(QLatin1Char('?'), 0, 0);
+    const bool named = robot::recorded::hasRecordingName(path) || robot::pbstream::hasStateFileName(path);
+    return maps(typed) || (named && !typed.contains(QLatin1String("://")));
   };
   return scheme;
 }
@@ -229,6 +240,12 @@ void onRecording(std::string& robot, std::string& bag, const std::string& otherw
 bool isRecording(const QString& path) { return robot::recorded::isRecording(path); }
 
 std::string bagNameOf(const QString& path) { return robot::recorded::bagNameOf(path); }
+
+std::optional<QString> stateFileOf(const QString& address) {
+  const auto parsed = knownAddresses().parse(address);
+  if (!parsed || !robot::pbstream::hasStateFileName(parsed->path)) return std::nullopt;
+  return absolute(parsed->path);
+}
 
 bool isMapFile(const QString& path) { return robot::files::isMapFile(path); }
 

@@ -68,6 +68,8 @@ void onRecording(std::string& robot, std::string& bag, const std::string& otherw
 bool isRecording(const QString& path);
 /// The name of the bag in that recording.
 std::string bagNameOf(const QString& path);
+/// The path of the Cartographer state file (.pbstream) that an address names; nullopt: it names none.
+std::optional<QString> stateFileOf(const QString& address);
 /// Whether it is called like a map: .yaml, .yml, .png, .pgm or .bmp.
 bool isMapFile(const QString& path);
 /// The YAML files beside a single picture that name it; empty if it is not a picture.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace mapwright::map {
 namespace {
@@ -12,16 +13,15 @@ std::uint64_t packed(std::int32_t trajectory, std::int32_t index) {
   return (std::uint64_t(std::uint32_t(trajectory)) << 32) | std::uint32_t(index);
 }
 
-/// `metres` is reordered.
-std::optional<double> medianOf(std::vector<double>& metres) {
-  if (metres.empty()) return std::nullopt;
-  const auto middle = metres.begin() + std::ptrdiff_t(metres.size() / 2);
-  std::nth_element(metres.begin(), middle, metres.end());
-  if (metres.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(metres.begin(), middle)) / 2;
-}
-
 }  // namespace
+
+std::optional<double> medianOf(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
 
 Closures rankClosures(const PoseGraph& graph) {
   std::unordered_map<std::uint64_t, const geometry::Pose3*> submaps;
@@ -66,8 +66,8 @@ Closures rankClosures(const PoseGraph& graph) {
     (is_inter ? inter : intra).push_back(closure.residual_m);
     closures.ranked.push_back(closure);
   }
-  closures.inter_median_m = medianOf(inter);
-  closures.intra_median_m = medianOf(intra);
+  closures.inter_median_m = medianOf(std::move(inter));
+  closures.intra_median_m = medianOf(std::move(intra));
   std::sort(closures.ranked.begin(), closures.ranked.end(), [](const Closure& a, const Closure& b) {
     return std::tuple(-a.residual_m, -a.residual_rad, a.submap, a.node, a.constraint) <
            std::tuple(-b.residual_m, -b.residual_rad, b.submap, b.node, b.constraint);

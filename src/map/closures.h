@@ -35,5 +35,7 @@ struct Closures {
 };
 
 Closures rankClosures(const PoseGraph& graph);
+/// Of an even number the mean of the two in the middle; nullopt: there are none.
+std::optional<double> medianOf(std::vector<double> values);
 
 }  // namespace mapwright::map

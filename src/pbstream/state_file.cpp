@@ -10,6 +10,7 @@
 #include "pbstream/faults.h"
 #include "pbstream/poses.h"
 #include "pbstream/read_pose_graph.h"
+#include "pbstream/record_stream.h"
 #include "pbstream/wire.h"
 #include "words/figures.h"
 

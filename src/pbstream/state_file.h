@@ -17,6 +17,8 @@
 
 namespace mapwright::pbstream {
 
+class RecordStream;
+
 /// By the number of the member of SerializedData.
 enum class RecordKind : std::uint8_t {
   Unknown = 0,  // none of those below

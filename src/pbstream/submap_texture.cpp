@@ -8,6 +8,7 @@
 #include "cartographer/state.pb.h"
 #include "pbstream/faults.h"
 #include "pbstream/poses.h"
+#include "pbstream/record_stream.h"
 #include "pbstream/wire.h"
 #include "words/figures.h"
 

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "../../pbstream/state_bytes.h"
 #include "answer_gate.h"
 #include "grids/grid_pyramid.h"
 #include "recording/append_file.h"
@@ -26,6 +27,7 @@
 #include "robot/map_administration.h"
 #include "robot/map_dispatch.h"
 #include "robot/map_transfer.h"
+#include "robot/pbstream/state_robot.h"
 #include "robot/picture_store.h"
 #include "robot/pose_graph_source.h"
 #include "robot/recorded/recorded_robot.h"
@@ -35,7 +37,7 @@
 
 namespace mapwright::robot::testing {
 
-enum class Adapter { Axbot, Aimdk, AimdkNewer, Ros, Kabam, Rep130, Files, Recorded };
+enum class Adapter { Axbot, Aimdk, AimdkNewer, Ros, Kabam, Rep130, Files, Recorded, State };
 
 /// How a question of whatever kind ended: nullopt = in its value.
 using Ended = std::optional<map::Failure>;
@@ -62,6 +64,10 @@ class Bench {
       writeRecording();
       key = {map::MapKind::Stored, "12"};
       unknown = {map::MapKind::Stored, "17"};
+    } else if (adapter == Adapter::State) {
+      QFile state(statePath());
+      (void)state.open(QIODevice::WriteOnly);
+      state.write(QByteArray::fromStdString(mapwright::pbstream::tests::wholeFile()));
     } else {
       simulator::Options options;
       options.paused = true;
@@ -123,6 +129,12 @@ class Bench {
       robot = std::make_unique<recorded::RecordedRobot>(QStringLiteral("file:test.mcap"), options);
       return;
     }
+    if (adapter_ == Adapter::State) {
+      pbstream::StateOptions options;
+      options.path = statePath();
+      robot = std::make_unique<pbstream::StateRobot>(QStringLiteral("file:map.pbstream"), options);
+      return;
+    }
     if (overRosbridge()) {
       ros::LinkOptions options;
       options.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(gate->port()));
@@ -170,15 +182,20 @@ class Bench {
     if (auto* store = robot->waypointStore())
       all.push_back({"stored waypoints", [=, of = key](auto end) { return store->read(of, passTo(end)); }});
     if (auto* submaps = robot->submapSource()) {
-      const std::string uuid = robot_itself ? robot_itself->uuid() : std::string("u");
+      const bool state = adapter_ == Adapter::State;
+      const std::string uuid = robot_itself ? robot_itself->uuid()
+                               : state ? mapwright::pbstream::readStateFile(statePath().toStdString())->uuid
+                                       : std::string("u");
       all.push_back({"submap", [=](auto end) {
-                       return submaps->fetch({uuid, {0, 0}, 24}, [end](const map::SubmapAnswer& answer) {
-                         using Outcome = map::SubmapAnswer::Outcome;
-                         map::Failure failure;
-                         failure.kind = answer.failure;
-                         if (answer.outcome == Outcome::Cancelled) failure.kind = map::FailureKind::Cancelled;
-                         end(answer.outcome == Outcome::Ok ? Ended() : Ended(failure));
-                       });
+                       return submaps->fetch({uuid, {0, 0}, state ? 40 : 24},
+                                             [end](const map::SubmapAnswer& answer) {
+                                               using Outcome = map::SubmapAnswer::Outcome;
+                                               map::Failure failure;
+                                               failure.kind = answer.failure;
+                                               if (answer.outcome == Outcome::Cancelled)
+                                                 failure.kind = map::FailureKind::Cancelled;
+                                               end(answer.outcome == Outcome::Ok ? Ended() : Ended(failure));
+                                             });
                      }});
     }
     if (auto* graph = robot->poseGraphSource())
@@ -241,6 +258,7 @@ class Bench {
   std::unique_ptr<Robot> robot;
 
  private:
+  QString statePath() const { return folder_.filePath(QStringLiteral("map.pbstream")); }
   QString recordingPath() const { return folder_.filePath(QStringLiteral("test.mcap")); }
   /// A map with its places, a submap, a message.
   void writeRecording() const {

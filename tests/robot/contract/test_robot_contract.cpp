@@ -67,6 +67,7 @@ class RobotContractTest : public QObject {
     QTest::newRow("rep130") << Adapter::Rep130;
     if (with_files) QTest::newRow("files") << Adapter::Files;
     if (with_files) QTest::newRow("recorded") << Adapter::Recorded;
+    if (with_files) QTest::newRow("state file") << Adapter::State;
   }
 
  private Q_SLOTS:
