@@ -124,6 +124,10 @@ void addBags(Commands& commands);
 void addRecord(Commands& commands);
 void addClouds(Commands& commands);
 void addSlam(Commands& commands);
+/// Subcommands of `slam`: the pose graph.
+void addSlamGraph(Commands& commands, CLI::App& slam);
+/// Subcommands of `slam`: new state files.
+void addSlamDrop(Commands& commands, CLI::App& slam);
 /// Subcommands of `slam`: whether submaps agree.
 void addSlamAgreement(Commands& commands, CLI::App& slam);
 void addTopics(Commands& commands);

@@ -10,6 +10,8 @@ void addSlam(Commands& commands) {
   CLI::App* const slam =
       commands.program().add_subcommand("slam", help(Text::tr("Whether a map made of submaps is good")));
   slam->require_subcommand(1);
+  addSlamGraph(commands, *slam);
+  addSlamDrop(commands, *slam);
   addSlamAgreement(commands, *slam);
 }
 

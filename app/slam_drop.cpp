@@ -1,0 +1,130 @@
+// `mapwright slam drop`: a state file with something left out (docs/command-line.md, "mapwright slam").
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+#include <QJsonObject>
+
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/robot_command.h"
+#include "app/robot_factory.h"
+#include "pbstream/drop.h"
+#include "sentences/fault_sentence.h"
+#include "words/figures.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+struct DropArguments : RobotArguments {
+  std::vector<int> trajectories;
+  std::vector<std::string> submaps, closures;  // "0-4", "0-4:0-512"
+  std::string output;
+};
+
+/// "0-4"; nullopt: it is no such id.
+std::optional<std::pair<std::int32_t, std::int32_t>> idsFrom(std::string_view typed) {
+  std::int32_t numbers[2] = {-1, -1};
+  const char* at = typed.data();
+  const char* const end = at + typed.size();
+  for (int i = 0; i < 2; ++i) {
+    if (i == 1 && (at == end || *at++ != '-')) return std::nullopt;
+    const auto [behind, error] = std::from_chars(at, end, numbers[i]);
+    if (error != std::errc() || numbers[i] < 0) return std::nullopt;
+    at = behind;
+  }
+  return at == end ? std::optional(std::pair(numbers[0], numbers[1])) : std::nullopt;
+}
+
+CommandResult<pbstream::Dropped> droppedBy(const DropArguments& args) {
+  pbstream::Dropped what;
+  what.trajectories.insert(args.trajectories.begin(), args.trajectories.end());
+  for (const std::string& typed : args.submaps) {
+    const auto ids = idsFrom(typed);
+    if (!ids)
+      return wrong(Text::tr("--submap %1: give trajectory and index, for example 0-4.")
+                       .arg(oneLine(words::text(typed))));
+    what.submaps.insert({ids->first, ids->second});
+  }
+  for (const std::string& typed : args.closures) {
+    const std::size_t colon = typed.find(':');
+    const auto submap = idsFrom(std::string_view(typed).substr(0, colon));
+    const auto node =
+        colon == std::string::npos ? std::nullopt : idsFrom(std::string_view(typed).substr(colon + 1));
+    if (!submap || !node)
+      return wrong(Text::tr("--closure %1: give submap and node, for example 0-4:0-512.")
+                       .arg(oneLine(words::text(typed))));
+    what.closures.insert({{submap->first, submap->second}, {node->first, node->second}});
+  }
+  if (what.empty()) return wrong(Text::tr("Leave out what? Pass --trajectory, --submap or --closure."));
+  return what;
+}
+
+CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
+  const auto what = droppedBy(args);
+  if (!what) return passOn(what);
+  const auto from = stateFileOf(words::text(args.robot));
+  if (!from)
+    return wrong(Text::tr("%1: this needs a Cartographer state file (.pbstream).")
+                     .arg(oneLine(words::text(args.robot), 200)));
+  const QString to = words::text(args.output);
+  if (isStream(to))
+    return wrong(Text::tr("%1: the new file is read back, so it cannot be written there.").arg(oneLine(to)));
+  const auto receipt =
+      pbstream::drop(from->toStdString(), *what, to.toStdString(), [&] { return command.time().over(); });
+  if (!receipt) {
+    const QString why = sentences::wordsOf(receipt.error());
+    return wrong(why.contains(to) ? why : QStringLiteral("%1: %2").arg(*from, why));
+  }
+  const auto counted = [](std::size_t count) {
+    return QString::fromStdString(words::grouped(std::int64_t(count)));
+  };
+  if (args.json) {
+    printJson(QJsonObject{{QStringLiteral("written"), to},
+                          {QStringLiteral("dropped"),
+                           QJsonObject{{QStringLiteral("trajectories"), qint64(receipt->trajectories)},
+                                       {QStringLiteral("submaps"), qint64(receipt->submaps)},
+                                       {QStringLiteral("nodes"), qint64(receipt->nodes)},
+                                       {QStringLiteral("inter"), qint64(receipt->inter)},
+                                       {QStringLiteral("intra"), qint64(receipt->intra)},
+                                       {QStringLiteral("records"), qint64(receipt->records)}}},
+                          {QStringLiteral("records_rewritten"), qint64(receipt->rewritten)}});
+    return kDone;
+  }
+  printLine(
+      Text::tr(
+          "Left out: %1 trajectories, %2 submaps, %3 nodes, %4 INTER and %5 INTRA constraints; %6 records.")
+          .arg(counted(receipt->trajectories), counted(receipt->submaps), counted(receipt->nodes),
+               counted(receipt->inter), counted(receipt->intra), counted(receipt->records)));
+  printLine(Text::tr("%1 was written, read again and compared. Written anew: the pose graph%2; every other "
+                     "record kept its bytes.")
+                .arg(to, receipt->rewritten > 1 ? Text::tr(" and the options") : QString()));
+  printLine(
+      Text::tr("No pose has changed: Cartographer optimises them when it loads the file and runs again."));
+  return kDone;
+}
+
+}  // namespace
+
+void addSlamDrop(Commands& commands, CLI::App& slam) {
+  const auto args = std::make_shared<DropArguments>();
+  CLI::App* const command =
+      addReading(commands, slam, "drop", Text::tr("Write a new state file with something left out"),
+                 Text::tr("State file (.pbstream)"), args, slamDrop);
+  command
+      ->add_option("--trajectory", args->trajectories,
+                   help(Text::tr("A trajectory, with all that belongs to it")))
+      ->check(CLI::NonNegativeNumber)
+      ->allow_extra_args(false);
+  command->add_option("--submap", args->submaps, help(Text::tr("T-I: a submap, with its constraints")))
+      ->allow_extra_args(false);
+  command
+      ->add_option("--closure", args->closures,
+                   help(Text::tr("T-I:T-N: the loop closure of a submap and a node")))
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", args->output, help(Text::tr("The new file; nothing may be there")))
+      ->required();
+  addJson(*command, args->json);
+}
+
+}  // namespace mapwright::app
