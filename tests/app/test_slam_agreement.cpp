@@ -44,8 +44,9 @@ class SlamAgreementTest : public QObject {
   tests::Program program_;
 
   Outcome run(const char* words) const {
-    return program_.run(
-        QString::fromLatin1(words).replace(QStringLiteral("DEMO"), QLatin1String(kDemo)).split(QLatin1Char(' ')));
+    return program_.run(QString::fromLatin1(words)
+                            .replace(QStringLiteral("DEMO"), QLatin1String(kDemo))
+                            .split(QLatin1Char(' ')));
   }
 
  private Q_SLOTS:
@@ -123,9 +124,10 @@ class SlamAgreementTest : public QObject {
   void aSmallerToleranceFindsMore() {
     int before = -1;
     for (const char* tolerance : {"4", "1", "0"}) {
-      const Outcome ended = program_.run({QStringLiteral("slam"), QStringLiteral("disagreement"),
-                                          QStringLiteral("--robot"), QLatin1String(kDemo), QStringLiteral("--tolerance"),
-                                          QLatin1String(tolerance), QStringLiteral("--json")});
+      const Outcome ended =
+          program_.run({QStringLiteral("slam"), QStringLiteral("disagreement"), QStringLiteral("--robot"),
+                        QLatin1String(kDemo), QStringLiteral("--tolerance"), QLatin1String(tolerance),
+                        QStringLiteral("--json")});
       const int found = ended.object()[QStringLiteral("contradicted_cells")].toInt();
       QVERIFY(found > before);
       before = found;
