@@ -7,6 +7,7 @@
 #include <iterator>
 #include <mutex>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "agreement/faults.h"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kFarthestM = 1e7;
 constexpr double kFinestTextureM = 1e-5;
-constexpr std::size_t kMostTouched = 2'000'000;  // tiles, counted for each submap that touches them
+constexpr double kMostTouched = 2e6;  // tiles, counted for each submap that touches them
 
 bool sameContent(const render::PlacedTexture& a, const render::PlacedTexture& b) {
   return a.texture == b.texture && a.world_from_texture == b.world_from_texture;
@@ -29,14 +30,7 @@ bool placeable(const render::PlacedTexture& placed, const geometry::WorldRect& b
   return near(bounds.min_x) && near(bounds.min_y) && near(bounds.max_x) && near(bounds.max_y);
 }
 
-/// The tiles whose reach touches `bounds`: columns and rows, the last ones included.
-struct TileRange {
-  TileKey first, last;
-  double count() const {
-    return (double(last.column) - first.column + 1) * (double(last.row) - first.row + 1);
-  }
-};
-
+/// The tiles whose reach touches `bounds`.
 TileRange touchedBy(const geometry::WorldRect& bounds, const Rules& rules) {
   const geometry::WorldRect reach = bounds.grown(rules.tolerance_cells * rules.cell_m);
   const auto tileAt = [&](double metres) {
@@ -93,12 +87,9 @@ bool Survey::InStrips::operator()(TileKey a, TileKey b) const {
 Survey::Survey(Rules rules) : rules_(rules) {}
 
 std::optional<Fault> Survey::setSubmaps(std::span<const render::PlacedTexture> submaps) {
-  std::unordered_map<map::SubmapId, Known> now;
   std::vector<map::SubmapId> unplaceable;
-  std::set<TileKey> all;
-  std::set<TileKey> changed;
-  std::size_t touched = 0;
-  const Fault too_large(fault::TooLarge, {std::int64_t(kMostTiles), kTileCells * rules_.cell_m});
+  std::unordered_set<map::SubmapId> placed_now;
+  std::vector<Known> changed;  // new, or other than before
   for (const render::PlacedTexture& placed : submaps) {
     if (!placed.texture) continue;
     const geometry::WorldRect bounds = render::boundsOf(placed);
@@ -106,43 +97,66 @@ std::optional<Fault> Survey::setSubmaps(std::span<const render::PlacedTexture> s
       unplaceable.push_back(placed.id);
       continue;
     }
-    Known known{placed, {}};
+    placed_now.insert(placed.id);
     const auto before = submaps_.find(placed.id);
-    const bool same = before != submaps_.end() && sameContent(before->second.placed, placed);
-    if (same) {
-      known.touches = before->second.touches;
-    } else {
-      const TileRange range = touchedBy(bounds, rules_);
-      if (range.count() > double(kMostTiles)) return too_large;
-      for (std::int32_t row = range.first.row; row <= range.last.row; ++row) {
-        for (std::int32_t column = range.first.column; column <= range.last.column; ++column)
-          known.touches.push_back({column, row});
-      }
-      changed.insert(known.touches.begin(), known.touches.end());
+    if (before == submaps_.end() || !sameContent(before->second.placed, placed))
+      changed.push_back({placed, touchedBy(bounds, rules_)});
+  }
+  std::vector<map::SubmapId> gone;
+  for (const auto& [id, known] : submaps_) {
+    if (!placed_now.contains(id)) gone.push_back(id);
+  }
+
+  // Before anything is changed: how many submaps will touch each tile that is concerned.
+  std::map<TileKey, std::int64_t> more;
+  double touched = touched_;
+  const Fault too_large(fault::TooLarge, {std::int64_t(kMostTiles), kTileCells * rules_.cell_m});
+  const auto count = [&](const TileRange& range, std::int64_t by) {
+    touched += double(by) * range.count();
+    range.each([&](TileKey key) { more[key] += by; });
+  };
+  for (const map::SubmapId id : gone) count(submaps_.at(id).touches, -1);
+  for (const Known& known : changed) {
+    if (const auto before = submaps_.find(known.placed.id); before != submaps_.end())
+      count(before->second.touches, -1);
+  }
+  for (const Known& known : changed) {
+    if (known.touches.count() > double(kMostTiles) || touched + known.touches.count() > kMostTouched)
+      return too_large;
+    count(known.touches, 1);
+  }
+  std::size_t tiles = near_.size();
+  for (const auto& [key, by] : more) {
+    const auto found = near_.find(key);
+    if (found == near_.end()) {
+      tiles += by > 0 ? 1 : 0;
+    } else if (std::int64_t(found->second.size()) + by == 0) {
+      --tiles;
     }
-    all.insert(known.touches.begin(), known.touches.end());
-    touched += known.touches.size();
-    if (all.size() > kMostTiles || touched > kMostTouched) return too_large;
-    now.insert_or_assign(placed.id, std::move(known));
   }
-  for (const auto& [id, known] : submaps_) {
-    const auto after = now.find(id);
-    if (after == now.end() || !sameContent(after->second.placed, known.placed))
-      changed.insert(known.touches.begin(), known.touches.end());
-  }
-  submaps_ = std::move(now);
+  if (tiles > kMostTiles) return too_large;
+
+  touched_ = touched;
   unplaceable_ = std::move(unplaceable);
-  near_.clear();
-  for (const auto& [id, known] : submaps_) {
-    for (const TileKey key : known.touches) near_[key].insert(id);
+  const auto forget = [&](std::unordered_map<map::SubmapId, Known>::iterator at) {
+    at->second.touches.each([&](TileKey key) { near_[key].erase(at->first); });
+    submaps_.erase(at);
+  };
+  for (const map::SubmapId id : gone) forget(submaps_.find(id));
+  for (Known& known : changed) {
+    const map::SubmapId id = known.placed.id;
+    if (const auto before = submaps_.find(id); before != submaps_.end()) forget(before);
+    known.touches.each([&](TileKey key) { near_[key].insert(id); });
+    submaps_.emplace(id, std::move(known));
   }
-  for (const TileKey key : changed) {
+  for (const auto& [key, by] : more) {
     given_out_ -= generation_.erase(key);
-    if (near_.contains(key)) {
-      stale_.insert(key);
-    } else {
+    if (const auto near = near_.find(key); near->second.empty()) {
+      near_.erase(near);
       stale_.erase(key);
       made_.erase(key);
+    } else {
+      stale_.insert(key);
     }
   }
   return std::nullopt;
@@ -232,6 +246,10 @@ Disagreement Survey::disagreement() const {
     for (const auto& [square, findings] : tile->squares) {
       SquareFindings& sum = squares[square];
       sum.cells += findings.cells;
+      if (sum.submaps.empty()) {  // most squares lie in one tile
+        sum.submaps = findings.submaps;
+        continue;
+      }
       std::vector<map::SubmapId> merged;
       std::set_union(sum.submaps.begin(), sum.submaps.end(), findings.submaps.begin(), findings.submaps.end(),
                      std::back_inserter(merged));

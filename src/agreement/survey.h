@@ -23,6 +23,20 @@ namespace mapwright::agreement {
 /// Made tiles in which a submap saw anything.
 using Tiles = std::map<TileKey, std::shared_ptr<const Tile>>;
 
+/// Tiles side by side, the last ones included.
+struct TileRange {
+  TileKey first, last;
+  double count() const {
+    return (double(last.column) - first.column + 1) * (double(last.row) - first.row + 1);
+  }
+  template <typename Visit>
+  void each(Visit visit) const {
+    for (std::int32_t row = first.row; row <= last.row; ++row) {
+      for (std::int32_t column = first.column; column <= last.column; ++column) visit(TileKey{column, row});
+    }
+  }
+};
+
 /// A square of 1 m where submaps contradict each other.
 struct Place {
   double x = 0, y = 0;                 // its centre, metres in the world
@@ -103,7 +117,7 @@ class Survey {
  private:
   struct Known {
     render::PlacedTexture placed;
-    std::vector<TileKey> touches;
+    TileRange touches;
   };
   /// Sorted so that neighbours follow each other.
   struct InStrips {
@@ -113,7 +127,8 @@ class Survey {
   Rules rules_;
   std::unordered_map<map::SubmapId, Known> submaps_;
   std::vector<map::SubmapId> unplaceable_;
-  std::map<TileKey, std::set<map::SubmapId>> near_;
+  std::map<TileKey, std::set<map::SubmapId>> near_;  // none of them empty
+  double touched_ = 0;                               // how many ids near_ holds
   std::set<TileKey, InStrips> stale_;
   std::map<TileKey, std::uint64_t> generation_;  // of the tiles given out
   std::size_t given_out_ = 0;
