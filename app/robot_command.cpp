@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QTimer>
 
+#include "app/bag_reading.h"
 #include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/display.h"
@@ -15,8 +16,10 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "grids/grid_pyramid.h"
+#include "incident/report.h"
 #include "regions/map_regions.h"
 #include "render/compose_grid.h"
+#include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/map_dispatch.h"
 #include "scene/layer.h"
@@ -24,6 +27,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/submaps_complete.h"
+#include "shot/recall.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -153,7 +157,8 @@ tl::unexpected<CommandFailure> RobotReading::lacks(robot::Capability capability)
 
 CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& address, const Access& access,
                                                                 CommandTime time, Purpose purpose,
-                                                                std::shared_ptr<work::Workers> workers) {
+                                                                std::shared_ptr<work::Workers> workers,
+                                                                const std::string& bag) {
   if (address.isEmpty()) {
     return wrong(Text::tr("Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too."));
   }
@@ -161,6 +166,7 @@ CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& a
   timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
   auto robot = makeRobot(address, timed, DemoTime::Frozen);
   if (!robot) return wrong(robot.error());
+  if (!bag.empty()) *robot = std::make_unique<replay::ReplayRobot>(std::move(*robot), bag);
   std::unique_ptr<RobotReading> reading(
       new RobotReading(std::move(*robot), address, time, purpose, std::move(workers)));
   session::Session& session = reading->session_;
@@ -285,6 +291,26 @@ CommandResult<render::PlacedGrid> RobotReading::map(const QString& id, double re
   return grid;
 }
 
+std::optional<CommandFailure> RobotReading::recall(const std::string& at) {
+  auto* const replayed = qobject_cast<replay::ReplayRobot*>(&session_.robot());
+  const robot::BagInfo& bag = *replayed->reading()->info();
+  const auto at_s = timeFrom(at, QStringLiteral("--at"), bag);
+  if (!at_s) return at_s.error();
+  const QString outside = incident::notWithinReason(replayed->bag(), bag, *at_s, !local());
+  if (!outside.isEmpty()) return CommandFailure{kUsage, outside};
+  shot::Recall recall(session_, *replayed);
+  recall.goTo(*at_s);
+  const bool in_time = waitUntil([&] { return recall.in() || recall.failure(); });
+  if (const auto failed = recall.failure()) return failure(*failed).value();
+  if (!in_time)
+    return CommandFailure{
+        kIncomplete,
+        about(Text::tr("Not everything had arrived within %1 s (--timeout).").arg(time_.timeout_s))};
+  if (!session_.world().submaps)
+    return CommandFailure{kRobotError, about(Text::tr("The bag contains no submap list up to this time."))};
+  return std::nullopt;
+}
+
 CommandResult<std::vector<render::PlacedTexture>> RobotReading::submapTextures() {
   if (!session_.robot().submapSource()) {
     return lacks(robot::Capability::Submaps);
@@ -392,11 +418,12 @@ RobotCommand::RobotCommand(const RobotArguments& args)
       time_{commandStart(args.timeout_s, processAge()), args.timeout_s},
       report_path_(words::text(args.report)) {}
 
-CommandResult<RobotReading*> RobotCommand::open(RobotReading::Purpose purpose, const QString& other) {
+CommandResult<RobotReading*> RobotCommand::open(RobotReading::Purpose purpose, const QString& other,
+                                                const std::string& bag) {
   const QString robot = words::text(args_.robot), address = other.isEmpty() ? robot : other;
   const auto access = RobotAccess::read(args_.access, robot);
   if (!access) return wrong(access.error());
-  auto reading = RobotReading::open(address, access->forAddress(address), time_, purpose, workers_);
+  auto reading = RobotReading::open(address, access->forAddress(address), time_, purpose, workers_, bag);
   if (!reading) return passOn(reading);
   reportConnected();
   readings_.push_back(std::move(*reading));

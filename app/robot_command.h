@@ -37,10 +37,12 @@ class RobotReading {
  public:
   /// What the command needs; nothing else is requested.
   enum class Purpose { Maps, Submaps, Bags };
-  /// Connects; for Bags only if they need a connection, since they use single requests.
+  /// Connects; for Bags only if they need a connection, since they use single requests. `bag`: replays that
+  /// one instead.
   static CommandResult<std::unique_ptr<RobotReading>> open(const QString& address, const Access& access,
                                                            CommandTime time, Purpose purpose,
-                                                           std::shared_ptr<work::Workers> workers);
+                                                           std::shared_ptr<work::Workers> workers,
+                                                           const std::string& bag = {});
 
   session::Session& session() { return session_; }
   const std::shared_ptr<work::Workers>& workers() const { return workers_; }
@@ -50,6 +52,8 @@ class RobotReading {
   /// Opens a map and reads it completely. "" = the live or current one; "submaps" composes the submaps at
   /// `resolution_m`. Afterwards the session does not change any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
+  /// Takes a replayed bag to a time, as typed; nullopt = it is there.
+  std::optional<CommandFailure> recall(const std::string& at);
   /// Waits for all submaps; those that came, at least one, in painting order. Afterwards the session does not
   /// change any more.
   CommandResult<std::vector<render::PlacedTexture>> submapTextures();
@@ -144,8 +148,9 @@ class RobotCommand {
   explicit RobotCommand(const RobotArguments& args);
 
   /// Connects to the robot of the options, or to another `address`; the result lives as long as this object.
+  /// Of a `bag`, unless that is empty.
   CommandResult<RobotReading*> open(RobotReading::Purpose purpose = RobotReading::Purpose::Maps,
-                                    const QString& address = {});
+                                    const QString& address = {}, const std::string& bag = {});
   /// Sets an entry of the report, replacing an earlier one of that name; also used by commands that fail.
   void report(const QString& name, const QJsonObject& done) {
     done_name_ = name;

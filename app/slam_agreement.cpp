@@ -16,9 +16,11 @@
 
 #include "agreement/heat.h"
 #include "agreement/survey.h"
+#include "app/bag_reading.h"
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_command.h"
+#include "app/robot_factory.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "jobs/export_map.h"
@@ -40,6 +42,7 @@ using words::text;
 struct AgreementArguments : RobotArguments {
   int tolerance_cells = agreement::Rules{}.tolerance_cells;
   double cell_m = agreement::Rules{}.cell_m;
+  std::string bag, at;
   std::string output, csv;
   std::optional<double> fail_over;
   bool world_file = false;
@@ -75,24 +78,33 @@ std::optional<QString> notAskedWellReason(const AgreementArguments& args) {
     return Text::tr("--tolerance must be a number of cells from 0 to %1.").arg(agreement::kMostTolerance);
   if (args.fail_over && !(*args.fail_over >= 0 && *args.fail_over <= 1))
     return Text::tr("--fail-over must be a share from 0 to 1, for example 0.05 for 5 %.");
+  if (args.bag.empty() != args.at.empty()) return Text::tr("--bag and --at belong together.");
   const QString output = text(args.output);
   const bool printed = isStandardOutput(output);
   if (!output.isEmpty() && !printed && QFileInfo(output).suffix().toLower() != QLatin1String("png"))
     return Text::tr("--output %1: the name must end in .png.").arg(output);
   if (args.world_file && (output.isEmpty() || printed))
     return Text::tr("--world-file needs the file of a picture (--output).");
+  const std::vector<std::string> sources = sourceFilesOf(text(args.robot), {}, {});
   for (const QString& file : {output, text(args.csv)}) {
     if (file.isEmpty()) continue;
-    if (const auto why = notWritableReason(file)) return why;
+    if (const auto why = notCreatedReason(file, true, sources)) return why;
   }
   return notTogetherReason(
       {output, text(args.csv), text(args.report), args.json ? QStringLiteral("-") : QString()});
 }
 
+/// Connected, or at the time of a bag.
+CommandResult<RobotReading*> openFor(RobotCommand& command, const AgreementArguments& args) {
+  if (const auto why = notAskedWellReason(args)) return wrong(*why);
+  const auto reading = command.open(RobotReading::Purpose::Submaps, {}, args.bag);
+  if (!reading || args.bag.empty()) return reading;
+  const auto failed = (*reading)->recall(args.at);
+  return failed ? CommandResult<RobotReading*>(tl::make_unexpected(*failed)) : reading;
+}
+
 /// All submaps of the robot, compared.
 CommandResult<agreement::Survey> surveyOf(RobotReading& reading, const AgreementArguments& args) {
-  if (const auto why = overOwnSource({text(args.output), text(args.csv)}, reading.sourceFiles()))
-    return wrong(*why);
   const auto textures = reading.submapTextures();
   if (!textures) return passOn(textures);
   agreement::Survey survey({args.cell_m, args.tolerance_cells});
@@ -308,8 +320,7 @@ std::optional<QString> tell(RobotCommand& command, const QString& name, const Ro
 }
 
 CommandResult<int> slamDisagreement(RobotCommand& command, const AgreementArguments& args) {
-  if (const auto why = notAskedWellReason(args)) return wrong(*why);
-  const auto reading = command.open(RobotReading::Purpose::Submaps);
+  const auto reading = openFor(command, args);
   if (!reading) return passOn(reading);
   const auto survey = surveyOf(**reading, args);
   if (!survey) return passOn(survey);
@@ -331,8 +342,7 @@ CommandResult<int> slamDisagreement(RobotCommand& command, const AgreementArgume
 }
 
 CommandResult<int> slamCoverage(RobotCommand& command, const AgreementArguments& args) {
-  if (const auto why = notAskedWellReason(args)) return wrong(*why);
-  const auto reading = command.open(RobotReading::Purpose::Submaps);
+  const auto reading = openFor(command, args);
   if (!reading) return passOn(reading);
   const auto survey = surveyOf(**reading, args);
   if (!survey) return passOn(survey);
@@ -347,7 +357,16 @@ CommandResult<int> slamCoverage(RobotCommand& command, const AgreementArguments&
   return kDone;
 }
 
+/// --bag may be a recording, which then is the robot.
+void takeRecording(AgreementArguments& args, const Invocation& before) {
+  if (!args.bag.empty()) onRecording(args.robot, args.bag, before.robot);
+}
+
 void addOutputs(CLI::App& command, AgreementArguments& args, const QString& picture, const QString& csv) {
+  command.add_option("--bag", args.bag,
+                     help(Text::tr("Read recorded submaps: the name of a bag, or a file, with --at; "
+                                   "FILE?ns=/NAMESPACE is one robot of several")));
+  addTime(command, "--at", args.at);
   command
       .add_option("--cell", args.cell_m,
                   help(Text::tr("Metres per cell of the world, on which the submaps are compared")))
@@ -366,7 +385,7 @@ void addSlamAgreement(Commands& commands, CLI::App& slam) {
   const auto disagreement = std::make_shared<AgreementArguments>();
   CLI::App* const contradicting =
       addReading(commands, slam, "disagreement", Text::tr("Find where submaps contradict each other"), robots,
-                 disagreement, slamDisagreement);
+                 disagreement, slamDisagreement, takeRecording);
   contradicting
       ->add_option("--tolerance", disagreement->tolerance_cells,
                    help(Text::tr("Walls that lie apart by so many cells are the same wall")))
@@ -380,7 +399,7 @@ void addSlamAgreement(Commands& commands, CLI::App& slam) {
   const auto coverage = std::make_shared<AgreementArguments>();
   CLI::App* const seen =
       addReading(commands, slam, "coverage", Text::tr("Count how many submaps saw each cell"), robots,
-                 coverage, slamCoverage);
+                 coverage, slamCoverage, takeRecording);
   addOutputs(*seen, *coverage,
              Text::tr("Write a picture (PNG): what was seen once is hatched, one pixel a cell"),
              Text::tr("Write what was seen, and seen once, in each square of 1 m (CSV)"));

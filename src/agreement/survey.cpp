@@ -270,9 +270,9 @@ Coverage Survey::coverage() const {
   found.tiles = made_;
   for (const auto& [key, tile] : made_) {
     found.seen_cells += tile->seen_cells;
-    for (const std::uint8_t count : tile->seen_by) ++found.cells_seen_by[count];
+    for (std::size_t count = 1; count < found.cells_seen_by.size(); ++count)
+      found.cells_seen_by[count] += tile->cells_seen_by[count];
   }
-  found.cells_seen_by[0] = 0;
   return found;
 }
 

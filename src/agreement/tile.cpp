@@ -359,8 +359,8 @@ std::shared_ptr<const Tile> makeTile(const TileTask& task, render::DenseCache& c
   for (std::size_t at = 0; at < clear.size(); ++at) tile->contradicted[at] = tile->occupied[at] & clear[at];
   tile->occupied_cells = countOf(tile->occupied);
   tile->contradicted_cells = countOf(tile->contradicted);
-  tile->seen_cells = std::uint64_t(tile->seen_by.size()) -
-                     std::uint64_t(std::count(tile->seen_by.begin(), tile->seen_by.end(), std::uint8_t(0)));
+  for (const std::uint8_t count : tile->seen_by) ++tile->cells_seen_by[count];
+  tile->seen_cells = tile->seen_by.size() - tile->cells_seen_by[0];
   if (tile->contradicted_cells > 0) findSquares(task, all, *tile);
   return tile;
 }

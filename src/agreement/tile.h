@@ -82,6 +82,7 @@ class Tile {
   // Bit n of word m of a row is column 64 * m + n.
   Bits occupied{}, contradicted{};
   std::array<std::uint8_t, std::size_t(kTileCells* kTileCells)> seen_by{};  // row by row
+  std::array<std::uint32_t, kManySubmaps + 1> cells_seen_by{};              // [n] = cells with seenBy() n
   std::uint64_t occupied_cells = 0, contradicted_cells = 0, seen_cells = 0;
   std::map<Square, SquareFindings> squares;  // those with a contradicted cell in this tile
 

@@ -186,6 +186,18 @@ class SlamAgreementTest : public QObject {
     QVERIFY2(ended.err.contains(QStringLiteral("submaps")), qPrintable(ended.err));
   }
 
+  void recordedSubmapsAreComparedAtATime() {
+    QCOMPARE(run("record --robot DEMO -o run.mcap --duration 2").code, 0);
+    const Outcome ended = run("slam coverage --bag run.mcap --at -0 --json");
+    QCOMPARE(ended.code, 0);
+    QVERIFY(ended.object()[QStringLiteral("seen_cells")].toInt() > 10'000);
+    QCOMPARE(run("slam coverage --bag run.mcap").code, 2);
+    const Outcome over = run("slam coverage --bag run.mcap --at -0 --csv run.mcap");
+    QCOMPARE(over.code, 2);
+    QVERIFY2(!over.err.contains(QStringLiteral("--force")), qPrintable(over.err));
+    QCOMPARE(run("slam coverage --bag run.mcap --at -0 --json").code, 0);  // it is still there
+  }
+
   void missingSubmapsAreTold() {
     QProcess robot;
     robot.setProcessEnvironment(program_.environment());
