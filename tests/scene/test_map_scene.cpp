@@ -193,7 +193,7 @@ class MapSceneTest : public QObject {
              QStringLiteral(
                  "reference,whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-"
                  "cloud,"
-                 "problems,grid,overlays,"
+                 "coverage,disagreement,problems,grid,overlays,"
                  "waypoints,landmarks,doors,boxes,constraints,closures,outlines,ids,trajectory,path,"
                  "local-path,target,cloud,robots,trail,track,expanded-footprint,footprint,robot,scalebar"));
   }

@@ -34,6 +34,8 @@ namespace mapwright::scene {
   ROW(CostmapLow)             \
   ROW(CostmapHigh)            \
   ROW(DispatchedCloud)        \
+  ROW(Coverage)               \
+  ROW(Disagreement)           \
   ROW(Problems)               \
   ROW(Grid)                   \
   ROW(Overlays)               \

@@ -15,6 +15,7 @@
 #include <QPointer>
 #include <QStyleOptionGraphicsItem>
 
+#include "agreement/survey.h"
 #include "clouds/cloud_store.h"
 #include "geometry/rect.h"
 #include "geometry/view_transform.h"
@@ -88,17 +89,19 @@ struct LayerContext {
   std::optional<MapTrouble> reference_trouble;
   std::vector<Eigen::Vector2d> measured;
   bool measured_ring = false;
-  std::optional<MapObject> marked;                // framed: what the user has chosen
-  std::optional<Eigen::Vector2d> marker;          // a place that the user went to
-  std::shared_ptr<const Track> track;             // null = none
-  std::shared_ptr<const map::Closures> closures;  // null = none
-  std::shared_ptr<clouds::CloudStore> clouds;     // never null
-  QPointer<regions::RegionMap> regions;           // null = none
-  std::optional<map::GridReference> regions_of;   // the whole map, if its robot reports its extent
-  render::TileRenderer* submaps = nullptr;        // never null while items exist
-  render::RasterTiles::Options rasters;           // of all rasters: they have one budget
-  std::function<void()> settled_changed;          // an item calls it when settled() has changed
-  LabelInk* ink = nullptr;                        // never null while items exist
+  std::optional<MapObject> marked;                    // framed: what the user has chosen
+  std::optional<Eigen::Vector2d> marker;              // a place that the user went to
+  std::shared_ptr<const Track> track;                 // null = none
+  std::shared_ptr<const map::Closures> closures;      // null = none
+  std::shared_ptr<const agreement::Tiles> agreement;  // null = none
+  double agreement_cell_m = 0;                        // edge of its cells
+  std::shared_ptr<clouds::CloudStore> clouds;         // never null
+  QPointer<regions::RegionMap> regions;               // null = none
+  std::optional<map::GridReference> regions_of;       // the whole map, if its robot reports its extent
+  render::TileRenderer* submaps = nullptr;            // never null while items exist
+  render::RasterTiles::Options rasters;               // of all rasters: they have one budget
+  std::function<void()> settled_changed;              // an item calls it when settled() has changed
+  LabelInk* ink = nullptr;                            // never null while items exist
   /// An item looks different in this part of the viewport.
   std::function<void(const LayerItem&, const QRectF&)> changed;
 

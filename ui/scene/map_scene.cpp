@@ -125,6 +125,7 @@ void MapScene::setSession(session::Session* session) {
   setPoseBetween(std::nullopt);
   setTrack(nullptr);
   syncClosures();
+  setAgreement(nullptr, 0);
   items_->context.highlighted.clear();
   setMarked(std::nullopt);
   setMarker(std::nullopt);
@@ -793,6 +794,13 @@ void MapScene::setTrack(std::shared_ptr<const Track> track) {
   items_->update(Layer::Track);
   // The legend has words about it only while there is one.
   if (had_one != (items_->context.track != nullptr)) Q_EMIT layersChanged();
+}
+
+void MapScene::setAgreement(std::shared_ptr<const agreement::Tiles> tiles, double cell_m) {
+  if (!tiles && !items_->context.agreement) return;
+  items_->context.agreement = std::move(tiles);
+  items_->context.agreement_cell_m = cell_m;
+  for (const Layer layer : {Layer::Coverage, Layer::Disagreement}) items_->update(layer);
 }
 
 void MapScene::setPoseBetween(const std::optional<geometry::Pose2>& pose) {

@@ -3,6 +3,7 @@
 // map.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -29,6 +30,11 @@
 #include "scene/track.h"
 #include "session/session.h"
 
+namespace mapwright::agreement {
+struct TileKey;
+class Tile;
+using Tiles = std::map<TileKey, std::shared_ptr<const Tile>>;
+}  // namespace mapwright::agreement
 namespace mapwright::clouds {
 class CloudStore;
 }
@@ -157,6 +163,10 @@ class MapScene : public QGraphicsScene {
 
   /// The robot's path through a whole bag; null = none. Dropped with the session.
   void setTrack(std::shared_ptr<const Track> track);
+
+  /// What the layers Disagreement and Coverage show, in cells of this edge; null = nothing. Dropped with the
+  /// session.
+  void setAgreement(std::shared_ptr<const agreement::Tiles> tiles, double cell_m);
 
   /// Where the robot is between two samples of a replay: drawn instead of the session's pose, world metres;
   /// nullopt: the session's. Without a session's pose nothing is drawn. Dropped with the session.
