@@ -685,6 +685,12 @@ void SnapshotRun::draw(EndOfWaiting why) {
                    : Text::tr("Layer %1 is empty: the robot has no topic for it."))
             .arg(scene::layerName(layer)));
   }
+  for (const scene::Layer layer : {scene::Layer::Coverage, scene::Layer::Disagreement}) {
+    if (options_.wantsSubmaps() || !options_.named.contains(layer)) continue;
+    say(Text::tr("Layer %1 is empty: it is about submaps, and a whole map is drawn (--mode submaps).")
+            .arg(scene::layerName(layer)));
+    shot_.add(Lack::Submaps);
+  }
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
     notes_ << Text::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
@@ -695,8 +701,14 @@ void SnapshotRun::draw(EndOfWaiting why) {
   picture_ = makePicture(track);
   connect(picture_.get(), &shot::Picture::finished, this, &SnapshotRun::write);
   picture_->start();
-  if (const auto* const drawn = dynamic_cast<const shot::ScenePicture*>(picture_.get()))
-    notes_ += robotNotes(drawn->scene(), session_);
+  if (const auto* const drawn = dynamic_cast<const shot::ScenePicture*>(picture_.get())) noteDrawn(*drawn);
+}
+
+void SnapshotRun::noteDrawn(const shot::ScenePicture& drawn) {
+  notes_ += robotNotes(drawn.scene(), session_);
+  if (!drawn.agreementFault()) return;
+  notes_ << sentences::wordsOf(*drawn.agreementFault());
+  shot_.add(Lack::Cells);
 }
 
 /// What lacks its transform is not where it belongs: nowhere.

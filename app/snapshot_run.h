@@ -110,6 +110,7 @@ class SnapshotRun : public QObject {
   bool stepMap();
   bool stepRegion();
   void checkChosenTopics();
+  void noteDrawn(const shot::ScenePicture& drawn);
   void reportUnplaced();
   /// There is no map, but sensor data to show.
   bool drawsScansAlone() const;

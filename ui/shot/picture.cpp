@@ -42,7 +42,10 @@ ScenePicture::ScenePicture(Look look, session::Session& session, std::shared_ptr
     : look_(std::move(look)),
       session_(session),
       clouds_(std::make_shared<clouds::CloudStore>(workers)),
-      scene_(exactOnly(std::move(workers), drawsGrids(look_.layers)), clouds_) {}
+      scene_(exactOnly(workers, drawsGrids(look_.layers)), clouds_) {
+  if (look_.layers.contains(scene::Layer::Disagreement) || look_.layers.contains(scene::Layer::Coverage))
+    agreement_ = std::make_unique<scene::AgreementRun>(std::move(workers));
+}
 
 void ScenePicture::start() {
   scene_.setTheme(look_.dark ? scene::darkMapTheme() : scene::lightMapTheme());
@@ -56,11 +59,23 @@ void ScenePicture::start() {
   if (look_.cloud) clouds_->add(*look_.cloud);
   if (look_.robot_anyway) scene_.setRobotWanted(true);
   connect(&scene_, &scene::MapScene::tilesSettled, this, &ScenePicture::look);
+  if (agreement_) {
+    connect(agreement_.get(), &scene::AgreementRun::progressed, this, &ScenePicture::showAgreement);
+    agreement_fault_ = agreement_->setSubmaps(scene_.placedTextures(), agreement::Rules().tolerance_cells);
+    QTimer::singleShot(0, agreement_.get(), &scene::AgreementRun::go);
+  }
   QTimer::singleShot(0, this, &ScenePicture::look);
 }
 
+void ScenePicture::showAgreement() {
+  const agreement::Survey& survey = agreement_->survey();
+  scene_.setAgreement(std::make_shared<agreement::Tiles>(survey.made()), survey.rules().cell_m);
+  agreement_shown_ = !agreement_->running();
+  look();
+}
+
 double ScenePicture::made() const {
-  if (scene_.picturesSettled()) return 1;
+  if (settled()) return 1;
   const render::TileCounts tiles = scene_.renderer().counts();
   // Below 1: other layers may be unfinished, too.
   return tiles.visible > 0 ? std::min(0.99, double(tiles.exact) / tiles.visible) : 0;
@@ -82,8 +97,10 @@ std::optional<Fault> ScenePicture::write(const QString& path) {
                {std::int64_t(look_.view.width_px), std::int64_t(look_.view.height_px)});
 }
 
+bool ScenePicture::settled() const { return scene_.picturesSettled() && (!agreement_ || agreement_shown_); }
+
 void ScenePicture::look() {
-  if (scene_.picturesSettled()) Q_EMIT finished();
+  if (settled()) Q_EMIT finished();
 }
 
 namespace {

@@ -16,6 +16,7 @@
 #include "regions/region_map.h"
 #include "render/compositor.h"
 #include "render/sample_grid.h"
+#include "scene/agreement_run.h"
 #include "scene/map_scene.h"
 #include "scene/track.h"
 #include "session/session.h"
@@ -61,14 +62,21 @@ class ScenePicture : public Picture {
   QImage image();
   const Look& shown() const { return look_; }
   const scene::MapScene& scene() const { return scene_; }
+  /// Why the layers Disagreement and Coverage stay empty, once it has started.
+  const std::optional<Fault>& agreementFault() const { return agreement_fault_; }
 
  private:
   void look();
+  void showAgreement();
+  bool settled() const;
 
   Look look_;
   session::Session& session_;
   std::shared_ptr<clouds::CloudStore> clouds_;
   mutable scene::MapScene scene_;
+  std::unique_ptr<scene::AgreementRun> agreement_;  // null: no layer shows it
+  std::optional<Fault> agreement_fault_;
+  bool agreement_shown_ = false;  // all of it
 };
 
 /// Cells alone.
