@@ -582,6 +582,40 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::DisagreementController</name>
+    <message numerus="yes">
+        <source>%1 submaps are still missing.</source>
+        <translation>
+            <numerusform>%1 submap is still missing.</numerusform>
+            <numerusform>%1 submaps are still missing.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 hidden submaps do not count.</source>
+        <translation>
+            <numerusform>%1 hidden submap does not count.</numerusform>
+            <numerusform>%1 hidden submaps do not count.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 submaps are too far away to count.</source>
+        <translation>
+            <numerusform>%1 submap is too far away to count.</numerusform>
+            <numerusform>%1 submaps are too far away to count.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::DisagreementDock</name>
+    <message numerus="yes">
+        <source>Within %1 cells</source>
+        <translation>
+            <numerusform>Within %1 cell</numerusform>
+            <numerusform>Within %1 cells</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::EventsDock</name>
     <message numerus="yes">
         <source>%1 events</source>

@@ -50,6 +50,7 @@
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/slam/closures_controller.h"
+#include "ui/slam/disagreement_controller.h"
 #include "ui/slam/inspector_controller.h"
 #include "ui/slam/inspector_dock.h"
 #include "ui/view/map_overlay.h"
@@ -175,6 +176,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(layers_);
   make(objects_);
   make(closures_);
+  make(disagreement_);
   make(inspector_, ids("showIds"), ids("showOutlines"));
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);

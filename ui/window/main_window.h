@@ -40,6 +40,7 @@ class ClosuresController;
 class CompareController;
 class ConnectionController;
 class Controller;
+class DisagreementController;
 class ExportController;
 class FilesController;
 class InspectorController;
@@ -155,6 +156,7 @@ class MainWindow : public QMainWindow {
   ExportController* export_ = nullptr;
   FilesController* files_ = nullptr;
   ClosuresController* closures_ = nullptr;
+  DisagreementController* disagreement_ = nullptr;
   InspectorController* inspector_ = nullptr;
   LayersController* layers_ = nullptr;
   LayoutController* layout_ = nullptr;

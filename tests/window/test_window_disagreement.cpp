@@ -1,0 +1,244 @@
+// Where submaps contradict each other, in the window: the places, and stepping through the submaps of one.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QtTest>
+
+#include "test_program.h"
+#include "ui/slam/disagreement_dock.h"
+#include "ui/view/map_view.h"
+#include "window_bench.h"
+#include "window_parts.h"
+
+namespace test_window_disagreement {
+
+using namespace mapwright;
+using namespace mapwright::window;
+using scene::Layer;
+using test::Bench;
+using test::entry;
+using test::kAddress;
+
+namespace {
+
+using Ids = std::set<map::SubmapId>;
+
+/// The wall of 0-0 (y -0.5 .. 0, x -5 .. 0) is free in 0-1: 200 cells in each of five squares. 0-2 is far
+/// away.
+std::vector<map::SubmapEntry> contradicting() {
+  return {entry(0, 0, 1, 0, 0), entry(0, 1, 1, 0, 2), entry(0, 2, 1, 60, 0)};
+}
+
+struct Desk {
+  explicit Desk(std::vector<map::SubmapEntry> entries = contradicting(), bool open = true)
+      : window(bench.open({1366, 1000})), dock(*part<DisagreementDock>(window)) {
+    if (open) {
+      dock.show();
+      dock.raise();
+    }
+    (void)window.connectTo(kAddress);
+    if (!entries.empty()) bench.robot->list(std::move(entries));
+  }
+  QString said() const { return dock.summary()->text(); }
+  /// Of 0-0, 0-1 and 0-2.
+  std::vector<bool> shown() const {
+    std::vector<bool> all;
+    for (const auto& [id, row] : window.session()->submaps().rows()) all.push_back(row.visible);
+    return all;
+  }
+  void clickRow(int row) {
+    QTest::mouseClick(dock.table()->viewport(), Qt::LeftButton, {},
+                      dock.table()->visualRect(dock.model()->index(row, 0)).center());
+  }
+  bool found() {
+    return QTest::qWaitFor([this] { return dock.model()->rowCount() == 5; }, 10'000);
+  }
+
+  Bench bench;
+  MainWindow& window;
+  DisagreementDock& dock;
+};
+
+using Shown = std::vector<bool>;
+
+}  // namespace
+
+class TestWindowDisagreement : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void placesAreListedAndCounted() {
+    Desk desk;
+    QVERIFY(desk.found());
+    const PlacesModel& model = *desk.dock.model();
+    for (int row = 0; row < 5; ++row) {
+      QCOMPARE(model.place(row).cells, std::uint64_t(200));
+      QCOMPARE(model.place(row).y, -0.5);
+      QCOMPARE(model.place(row).submaps, (std::vector<map::SubmapId>{{0, 0}, {0, 1}}));
+    }
+    QTRY_VERIFY2(desk.said().contains(QStringLiteral("1,000 of 3,000")), qPrintable(desk.said()));
+    QVERIFY(desk.said().contains(QStringLiteral("33.3 %")));
+    QVERIFY(desk.dock.table()->isVisible() && desk.dock.blinkButton()->isVisible());
+    // 0-1 moves away: there is nothing left.
+    auto moved = contradicting();
+    moved[1].pose = geometry::poseFromYaw(0, 30, 0);
+    desk.bench.robot->list(moved);
+    QTRY_COMPARE(model.rowCount(), 0);
+    QTRY_COMPARE(desk.said(), QStringLiteral("No submaps contradict each other here."));
+    QVERIFY(!desk.dock.table()->isVisible() && !desk.dock.blinkButton()->isVisible());
+  }
+
+  void withoutSubmapsItSaysSo() {
+    Desk desk({});
+    QTRY_COMPARE(desk.said(), QStringLiteral("No submaps are on the map so far."));
+    desk.window.leaveRobot();
+    QTRY_VERIFY(desk.said().startsWith(QStringLiteral("Connect to a robot")));
+  }
+
+  void whatIsMissingOrHiddenIsSaid() {
+    Desk desk({});
+    desk.bench.robot->missing = {{0, 2}};
+    desk.bench.robot->list(contradicting());
+    QTRY_VERIFY2(desk.said().contains(QStringLiteral("1 submap is still missing.")), qPrintable(desk.said()));
+    desk.window.session()->setVisible({{0, 1}}, false);
+    QTRY_VERIFY2(desk.said().startsWith(QStringLiteral("No submaps contradict")), qPrintable(desk.said()));
+    QVERIFY(desk.said().contains(QStringLiteral("1 hidden submap does not count.")));
+  }
+
+  void aClickOrEnterGoesThere_data() {
+    QTest::addColumn<bool>("click");
+    QTest::newRow("click") << true;
+    QTest::newRow("Enter") << false;
+  }
+  void aClickOrEnterGoesThere() {
+    QFETCH(bool, click);
+    Desk desk;
+    QVERIFY(desk.found());
+    if (click) {
+      desk.clickRow(2);
+    } else {
+      desk.dock.table()->setCurrentIndex(desk.dock.model()->index(2, 0));
+      QTest::keyClick(desk.dock.table(), Qt::Key_Return);
+    }
+    const agreement::Place& place = desk.dock.model()->place(2);
+    const Eigen::Vector2d at(place.x, place.y);
+    const scene::MapScene& scene = *desk.window.mapScene();
+    QTRY_VERIFY((scene.view().center_m - at).norm() < 1e-6);
+    QVERIFY(scene.marker() == at);
+    QCOMPARE(scene.highlighted(), (Ids{{0, 0}, {0, 1}}));
+    // Esc: the mark, then the frames.
+    desk.bench.key(Qt::Key_Escape);
+    desk.bench.key(Qt::Key_Escape);
+    QVERIFY(!scene.marker() && scene.highlighted().empty());
+    QVERIFY(!desk.dock.nextButton()->isEnabled());
+  }
+
+  void stepsShowOneOfThemAndGiveBackTheRest_data() {
+    QTest::addColumn<QString>("end");
+    for (const char* end : {"All", "Esc", "another place", "closed"})
+      QTest::newRow(end) << QString::fromLatin1(end);
+  }
+  void stepsShowOneOfThemAndGiveBackTheRest() {
+    QFETCH(QString, end);
+    Desk desk;
+    QVERIFY(desk.found());
+    QVERIFY(!desk.dock.nextButton()->isEnabled());
+    desk.window.session()->setVisible({{0, 2}}, false);
+    desk.clickRow(0);
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, false, false}));
+    QCOMPARE(desk.window.mapScene()->highlighted(), (Ids{{0, 0}}));
+    QVERIFY(!desk.window.mapScene()->marker());
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{false, true, false}));
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, false, false}));
+    QCOMPARE(desk.dock.model()->rowCount(), 5);
+    if (end == QLatin1String("All")) desk.dock.allButton()->click();
+    if (end == QLatin1String("Esc")) desk.bench.key(Qt::Key_Escape);
+    if (end == QLatin1String("another place")) desk.clickRow(1);
+    if (end == QLatin1String("closed")) desk.dock.close();
+    QTRY_COMPARE(desk.shown(), (Shown{true, true, false}));
+    QVERIFY(!desk.dock.allButton()->isEnabled());
+    QCOMPARE(desk.window.mapScene()->highlighted().size(),
+             std::size_t(end == QLatin1String("closed") ? 0 : 2));
+  }
+
+  void whatTheUserHidesMeanwhileStaysHidden() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(0);
+    desk.dock.nextButton()->click();
+    desk.window.session()->setVisible({{0, 0}}, false);
+    desk.dock.allButton()->click();
+    QCOMPARE(desk.shown(), (Shown{false, true, true}));
+  }
+
+  void blinkingShowsThemInTurn() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(0);
+    desk.dock.blinkButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, false, true}));
+    QTRY_COMPARE(desk.shown(), (Shown{false, true, true}));
+    QTRY_COMPARE(desk.shown(), (Shown{true, false, true}));
+    desk.dock.allButton()->click();
+    QVERIFY(!desk.dock.blinkButton()->isChecked());
+    QCOMPARE(desk.shown(), (Shown{true, true, true}));
+  }
+
+  void aNewSlamSessionEndsTheSteps() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(0);
+    desk.dock.nextButton()->click();
+    auto entries = contradicting();
+    entries[1].pose = geometry::poseFromYaw(0, 2.5, 0);
+    desk.bench.robot->list(entries, "session-b");
+    QTRY_COMPARE(desk.shown(), (Shown{true, true, true}));
+    QVERIFY(!desk.dock.allButton()->isEnabled() && desk.window.mapScene()->highlighted().empty());
+    QVERIFY(desk.found());
+  }
+
+  void nothingIsLookedForUnlessItIsSeen() {
+    Desk desk(contradicting(), false);
+    QTRY_COMPARE(desk.window.session()->counts().shown, 3);
+    scene::MapScene& scene = *desk.window.mapScene();
+    QCoreApplication::processEvents();
+    QVERIFY(scene.layerBounds(Layer::Coverage).empty());
+    scene.setLayerVisible(Layer::Coverage, true);
+    QTRY_COMPARE(scene.layerBounds(Layer::Disagreement), (geometry::WorldRect{-5, -1, 0, 0}));
+    QVERIFY(!scene.layerBounds(Layer::Coverage).empty());
+  }
+
+  void theBoxShowsTheLayer() {
+    Desk desk;
+    scene::MapScene& scene = *desk.window.mapScene();
+    QVERIFY(!scene.layerVisible(Layer::Disagreement) && !desk.dock.layerBox()->isChecked());
+    desk.dock.layerBox()->click();
+    QVERIFY(scene.layerVisible(Layer::Disagreement));
+    scene.setLayerVisible(Layer::Disagreement, false);
+    QVERIFY(!desk.dock.layerBox()->isChecked());
+  }
+
+  void theToleranceIsChosenAndKept() {
+    // The wall of 0-1 is 10 cm beside that of 0-0, and they overlap.
+    Desk desk({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 0, 0.1)});
+    QTRY_COMPARE(desk.window.session()->counts().shown, 2);
+    QTRY_COMPARE(desk.said(), QStringLiteral("No submaps contradict each other here."));
+    QComboBox* const box = desk.dock.toleranceBox();
+    QVERIFY(box->toolTip().contains(QStringLiteral("20 cm")));
+    box->setCurrentIndex(0);
+    Q_EMIT box->activated(0);
+    QTRY_VERIFY(desk.dock.model()->rowCount() > 0);
+    desk.window.close();
+    QVERIFY(desk.bench.open({1366, 1000}).isVisible());
+    QCOMPARE(part<DisagreementDock>(*desk.bench.window)->tolerance(), 0);
+  }
+};
+
+}  // namespace test_window_disagreement
+
+MAPWRIGHT_TEST(test_window_disagreement, TestWindowDisagreement, Widgets)
+#include "test_window_disagreement.moc"

@@ -1,0 +1,317 @@
+#include "ui/slam/disagreement_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QScopedValueRollback>
+
+#include "scene/agreement_run.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/plural.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/status_text.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/viewpoint.h"
+#include "ui/slam/disagreement_dock.h"
+#include "words/fixed.h"
+
+namespace mapwright::window {
+namespace {
+
+using scene::Layer;
+
+constexpr int kBlinkMs = 700, kSoonMs = 300;
+// Looking at what has changed takes time for each submap: at most this part of the GUI thread's.
+constexpr int kShareOfTime = 10;
+constexpr double kRoomAroundM = 2;
+const QString kToleranceKey = QStringLiteral("disagreement/tolerance_cells");
+
+}  // namespace
+
+DisagreementController::DisagreementController(WindowContext& context, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      dock_(new DisagreementDock(&context.window)),
+      run_(new scene::AgreementRun(context.workers, this)),
+      found_(std::make_unique<agreement::Disagreement>()) {
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
+                              .tab = 21,
+                              .menu_rank = 31,
+                              .idle = lacksForGood(context.current, {robot::Capability::Submaps})});
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &DisagreementController::look);
+  blink_.setInterval(kBlinkMs);
+  connect(&blink_, &QTimer::timeout, this, &DisagreementController::step);
+  connect(run_, &scene::AgreementRun::progressed, this, &DisagreementController::showFindings);
+  connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    dock_seen_ = visible;
+    if (!visible) stopStepping();
+    if (dock_->isHidden()) leavePlace();
+    look();
+  });
+  connect(&context_.scene, &scene::MapScene::layersChanged, this, [this] {
+    dock_->layerBox()->setChecked(context_.scene.layerVisible(Layer::Disagreement));
+    // Only layers that begin to be seen need anything.
+    const bool waits = !run_->running() && !run_->survey().complete();
+    if (outdated_ || waits || !isSeen()) look();
+  });
+  connect(dock_->layerBox(), &QCheckBox::clicked, this,
+          [this](bool on) { context_.scene.setLayerVisible(Layer::Disagreement, on); });
+  connect(dock_->toleranceBox(), &QComboBox::activated, this, [this] { setTolerance(dock_->tolerance()); });
+  connect(dock_->workButton(), &QPushButton::clicked, this, [this] {
+    cancelled_ = run_->running();
+    look();
+  });
+  connect(dock_, &DisagreementDock::placeWanted, this, [this](int row) { goTo(dock_->model()->place(row)); });
+  connect(dock_->nextButton(), &QPushButton::clicked, this, [this] {
+    dock_->blinkButton()->setChecked(false);
+    step();
+  });
+  connect(dock_->blinkButton(), &QPushButton::toggled, this, [this](bool on) {
+    if (on) step();
+    if (on) {
+      blink_.start();
+    } else {
+      blink_.stop();
+    }
+  });
+  connect(dock_->allButton(), &QPushButton::clicked, this, &DisagreementController::stopStepping);
+  connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
+    if (dock_seen_) showText();
+  });
+}
+
+DisagreementController::~DisagreementController() {
+  dock_->disconnect(this);
+  stepper_.giveBack();
+}
+
+bool DisagreementController::isSeen() const {
+  return session_ && (dock_seen_ || context_.scene.layerVisible(Layer::Disagreement) ||
+                      context_.scene.layerVisible(Layer::Coverage));
+}
+
+void DisagreementController::setSession(session::Session* session) {
+  if (session_) session_->disconnect(this);
+  leavePlace();
+  stepper_.setSession(session);
+  session_ = session;
+  run_->forget();
+  context_.scene.setAgreement(nullptr, 0);
+  cancelled_ = false;
+  if (session) {
+    using session::Session;
+    for (const auto changed : {&Session::submapsPlaced, &Session::submapsRemoved})
+      connect(session, changed, this, &DisagreementController::lookSoon);
+    connect(session, &Session::sliceChanged, this, &DisagreementController::lookSoon);
+    connect(session, &Session::sessionRestarted, this, [this] {
+      stepper_.forget();
+      leavePlace();
+      lookSoon();
+    });
+  }
+  outdated_ = true;
+  look();
+}
+
+void DisagreementController::recall(const QSettings& settings) {
+  setTolerance(settings.value(kToleranceKey, agreement::Rules().tolerance_cells).toInt());
+}
+
+void DisagreementController::remember(QSettings& settings) {
+  settings.setValue(kToleranceKey, dock_->tolerance());
+}
+
+void DisagreementController::reset() { setTolerance(agreement::Rules().tolerance_cells); }
+
+void DisagreementController::setTolerance(int cells) {
+  dock_->setTolerance(cells, run_->survey().rules().cell_m);
+  cancelled_ = false;
+  outdated_ = true;
+  look();
+}
+
+bool DisagreementController::escape() {
+  if (stepper_.steps()) {
+    stopStepping();
+  } else if (place_) {
+    leavePlace();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void DisagreementController::lookSoon() {
+  if (stepping_) return;
+  outdated_ = true;
+  if (!soon_.isActive() && isSeen()) soon_.start(std::max(kSoonMs, soon_.interval()));
+}
+
+void DisagreementController::look() {
+  if (!isSeen()) {
+    run_->stop();
+    if (!session_) showFindings();
+    return;
+  }
+  if (outdated_) {
+    QElapsedTimer clock;
+    clock.start();
+    std::vector<render::PlacedTexture> shown;
+    for (render::PlacedTexture& placed : context_.scene.placedTextures()) {
+      const submap::SubmapRow* const row = session_->submaps().find(placed.id);
+      if (row && stepper_.wanted(placed.id, row->visible)) shown.push_back(std::move(placed));
+    }
+    const auto fault = run_->setSubmaps(shown, dock_->tolerance());
+    trouble_ = fault ? sentences::sentenceOf(*fault) : QString();
+    outdated_ = false;
+    soon_.setInterval(int(std::min<qint64>(clock.elapsed() * kShareOfTime, 60'000)));
+  }
+  if (cancelled_) {
+    run_->stop();
+  } else if (!run_->survey().complete()) {
+    run_->go();
+  }
+  showFindings();
+}
+
+QString DisagreementController::absence() const {
+  if (!session_) return tr("Connect to a robot to see where its submaps contradict each other.");
+  if (!session_->robot().submapSource())
+    return sentences::absenceReason(robot::Capability::Submaps,
+                                    session_->robot().unavailableReason(robot::Capability::Submaps));
+  if (!trouble_.isEmpty()) return trouble_;
+  return run_->survey().tiles() == 0 ? tr("No submaps are on the map so far.") : QString();
+}
+
+QString DisagreementController::sentence() const {
+  const agreement::Disagreement& found = *found_;
+  QStringList parts;
+  if (const QString why = absence(); !why.isEmpty()) {
+    parts << why;
+  } else if (found.contradicted_cells > 0) {
+    parts << tr("%1 % of the occupied cells are contradicted by another submap: %2 of %3, each %4 cm wide.")
+                 .arg(words::fixed(100 * found.share(), found.share() < 0.01 ? 2 : 1),
+                      countText(qint64(found.contradicted_cells)), countText(qint64(found.occupied_cells)),
+                      words::fixed(100 * found.cell_m, 0));
+  } else if (run_->survey().complete()) {
+    parts << tr("No submaps contradict each other here.");
+  }
+  const agreement::Survey& survey = run_->survey();
+  if (!survey.complete() && survey.tiles() > 0) {
+    parts << tr("%1 of %2 squares of the map are looked at so far.")
+                 .arg(countText(qint64(survey.tiles() - survey.stale())), countText(qint64(survey.tiles())));
+  }
+  const auto add = [&](qint64 count, const QString& text) {
+    if (count > 0) parts << sentences::counted(text, count);
+  };
+  if (session_) {
+    const session::SubmapCounts counts = session_->counts();
+    const int lacking = counts.listed - counts.held;
+    add(lacking, tr("%1 submaps are still missing.", nullptr, lacking));
+    if (!stepper_.steps()) add(counts.hidden, tr("%1 hidden submaps do not count.", nullptr, counts.hidden));
+    const auto nowhere = qint64(survey.unplaceable().size());
+    add(nowhere, tr("%1 submaps are too far away to count.", nullptr, sentences::formOf(nowhere)));
+  }
+  return parts.join(QLatin1Char(' '));
+}
+
+void DisagreementController::showFindings() {
+  agreement::Disagreement found;
+  if (session_) found = run_->survey().disagreement();
+  // The layers would cover what the steps show.
+  const auto tiles =
+      stepper_.steps() || !session_ ? nullptr : std::make_shared<agreement::Tiles>(std::move(found.tiles));
+  context_.scene.setAgreement(tiles, found.cell_m);
+  const agreement::Survey& survey = run_->survey();
+  using Work = DisagreementDock::Work;
+  const bool stopped = session_ && cancelled_ && !survey.complete();
+  dock_->setWork(run_->running() ? Work::Goes
+                 : stopped       ? Work::Stopped
+                                 : Work::Done,
+                 survey.tiles() == 0 ? 0 : 1 - double(survey.stale()) / double(survey.tiles()));
+  dock_->setTolerance(dock_->tolerance(), survey.rules().cell_m);
+  dock_->setPlaces(std::move(found.places));
+  *found_ = std::move(found);
+  showText();
+}
+
+void DisagreementController::showText() { dock_->setText(sentence()); }
+
+void DisagreementController::goTo(const agreement::Place& place) {
+  stopStepping();
+  place_ = std::make_unique<agreement::Place>(place);
+  const geometry::WorldRect square{place.x - 0.5, place.y - 0.5, place.x + 0.5, place.y + 0.5};
+  context_.viewpoint.lookAt(square.grown(kRoomAroundM));
+  context_.scene.setMarker(Eigen::Vector2d(place.x, place.y));
+  highlight({place.submaps.begin(), place.submaps.end()});
+  showSteps();
+}
+
+void DisagreementController::leavePlace() {
+  stopStepping();
+  if (!place_) return;
+  const Eigen::Vector2d at(place_->x, place_->y);
+  place_.reset();
+  if (context_.scene.marker() == at) context_.scene.setMarker(std::nullopt);
+  highlight({});
+  dock_->clearSelection();
+  showSteps();
+}
+
+void DisagreementController::highlight(std::set<map::SubmapId> ids) {
+  // The inspector may have chosen others since.
+  const bool mine = context_.scene.highlighted() == highlighted_;
+  highlighted_ = std::move(ids);
+  if (mine || !highlighted_.empty()) context_.scene.setHighlighted(highlighted_);
+}
+
+void DisagreementController::step() {
+  if (!place_ || !session_) return stopStepping();
+  const std::size_t count = place_->submaps.size();
+  at_ = stepper_.steps() ? (at_ + 1) % count : 0;
+  if (!stepper_.steps()) context_.scene.setAgreement(nullptr, 0);
+  {
+    const QScopedValueRollback quiet(stepping_, true);
+    stepper_.showOnly(place_->submaps, at_);
+  }
+  // The mark would lie on what is to be seen.
+  context_.scene.setMarker(std::nullopt);
+  highlight({place_->submaps[at_]});
+  showSteps();
+}
+
+void DisagreementController::stopStepping() {
+  blink_.stop();
+  dock_->blinkButton()->setChecked(false);
+  if (!stepper_.steps()) return;
+  {
+    const QScopedValueRollback quiet(stepping_, true);
+    stepper_.giveBack();
+  }
+  if (place_) {
+    context_.scene.setMarker(Eigen::Vector2d(place_->x, place_->y));
+    highlight({place_->submaps.begin(), place_->submaps.end()});
+  }
+  showSteps();
+  showFindings();
+}
+
+void DisagreementController::showSteps() {
+  QString text;
+  if (place_ && stepper_.steps()) {
+    text = tr("Submap %1, %2 of %3")
+               .arg(QString::fromStdString(map::toText(place_->submaps[at_])), QString::number(at_ + 1),
+                    QString::number(place_->submaps.size()));
+  }
+  dock_->setSteps(place_ != nullptr, stepper_.steps(), text);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_disagreement_controller.cpp"

@@ -1,0 +1,73 @@
+// Disagreement and coverage of the submaps in the window: computed while the dock or a layer shows them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <QPointer>
+#include <QString>
+#include <QTimer>
+
+#include "scene/map_scene.h"
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+#include "ui/slam/submap_stepper.h"
+
+namespace mapwright::agreement {
+struct Disagreement;
+struct Place;
+}  // namespace mapwright::agreement
+namespace mapwright::scene {
+class AgreementRun;
+}
+
+namespace mapwright::window {
+
+class DisagreementDock;
+
+class DisagreementController : public Controller {
+  Q_OBJECT
+ public:
+  explicit DisagreementController(WindowContext& context, QObject* parent = nullptr);
+  ~DisagreementController() override;
+
+  DisagreementDock* dock() const { return dock_; }
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+  bool escape() override;
+
+ private:
+  bool isSeen() const;
+  void setTolerance(int cells);
+  void lookSoon();
+  void look();
+  void showFindings();
+  void showText();
+  QString sentence() const;
+  QString absence() const;
+  void goTo(const agreement::Place& place);
+  void leavePlace();
+  void step();
+  void stopStepping();
+  void showSteps();
+  void highlight(std::set<map::SubmapId> ids);
+
+  WindowContext& context_;
+  DisagreementDock* dock_;
+  scene::AgreementRun* run_;
+  QPointer<session::Session> session_;
+  QTimer soon_, blink_;
+  bool dock_seen_ = false, cancelled_ = false, outdated_ = true;
+  QString trouble_;
+  std::unique_ptr<agreement::Disagreement> found_;  // without places and tiles
+  SubmapStepper stepper_;
+  bool stepping_ = false;                    // what is shown and hidden just now changes no findings
+  std::unique_ptr<agreement::Place> place_;  // that the user went to; null = none
+  std::size_t at_ = 0;                       // of its submaps, while stepping
+  std::set<map::SubmapId> highlighted_;      // by this
+};
+
+}  // namespace mapwright::window

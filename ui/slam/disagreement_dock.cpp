@@ -1,0 +1,222 @@
+#include "ui/slam/disagreement_dock.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+
+#include "sentences/plural.h"
+#include "ui/kit/dialog_look.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/tree_view.h"
+#include "ui/kit/wrapping_row.h"
+#include "words/fixed.h"
+
+namespace mapwright::window {
+namespace {
+
+constexpr std::array kTolerances{0, 1, 4};
+
+QString submapNames(const std::vector<map::SubmapId>& ids) {
+  QStringList names;
+  for (const map::SubmapId id : ids) names << QString::fromStdString(map::toText(id));
+  return names.join(QLatin1String(", "));
+}
+
+}  // namespace
+
+void PlacesModel::setPlaces(std::vector<agreement::Place> places) {
+  const bool same =
+      std::equal(places.begin(), places.end(), places_.begin(), places_.end(),
+                 [](const agreement::Place& a, const agreement::Place& b) {
+                   return a.x == b.x && a.y == b.y && a.cells == b.cells && a.submaps == b.submaps;
+                 });
+  if (same) return;  // where the list is scrolled to stays
+  beginResetModel();
+  places_ = std::move(places);
+  endResetModel();
+}
+
+int PlacesModel::rowOf(const agreement::Place& place) const {
+  const auto found = std::find_if(places_.begin(), places_.end(), [&](const agreement::Place& other) {
+    return other.x == place.x && other.y == place.y;
+  });
+  return found == places_.end() ? -1 : int(found - places_.begin());
+}
+
+QVariant PlacesModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const agreement::Place& place = places_[std::size_t(index.row())];
+  const bool submaps = index.column() == SubmapsColumn;
+  if (role == Qt::TextAlignmentRole)
+    return int((submaps ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  if (role == Qt::ToolTipRole && submaps) return plainToolTip(submapNames(place.submaps));
+  if (role != Qt::DisplayRole) return {};
+  switch (index.column()) {
+    case CellsColumn:
+      return countText(qint64(place.cells));
+    case XColumn:
+      return words::fixed(place.x, 1);
+    case YColumn:
+      return words::fixed(place.y, 1);
+    case SubmapsColumn:
+      return submapNames(place.submaps);
+  }
+  return {};
+}
+
+QVariant PlacesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int((section == SubmapsColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  if (role == Qt::ToolTipRole && section == CellsColumn)
+    return tr("How many cells contradict within a square of 1 m");
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case CellsColumn:
+      return tr("Cells");
+    case XColumn:
+      return tr("x (m)");
+    case YColumn:
+      return tr("y (m)");
+    case SubmapsColumn:
+      return tr("Submaps that disagree");
+  }
+  return {};
+}
+
+DisagreementDock::DisagreementDock(QWidget* parent)
+    : QDockWidget(tr("Disagreement"), parent),
+      model_(new PlacesModel(this)),
+      tolerance_(new QComboBox(this)),
+      layer_(new QCheckBox(tr("On the map"), this)),
+      summary_(textLabel({}, this)),
+      progress_(new QProgressBar(this)),
+      work_(compactButton(tr("Cancel"), this)),
+      table_(new QuietTableView(this)),
+      steps_(new QWidget(this)),
+      shown_(new PlainLabel(this)),
+      blink_(compactButton(tr("Blink"), this, tr("Show the submaps that disagree in turn"))),
+      next_(compactButton(tr("Next submap"), this, tr("Of those that disagree, show only the next one"))),
+      all_(compactButton(tr("All"), this, tr("Show everything as before"))) {
+  setObjectName(QStringLiteral("disagreement"));
+  for (const int cells : kTolerances) {
+    tolerance_->addItem(
+        cells == 0 ? tr("Exact") : sentences::counted(tr("Within %1 cells", nullptr, cells), cells), cells);
+  }
+  tolerance_->setAccessibleName(tr("Tolerance"));
+  layer_->setToolTip(tr("Show the layer Disagreement"));
+  makeLine(*progress_);
+  progress_->setAccessibleName(tr("Progress"));
+  showRows(*table_, model_, tr("Places where submaps disagree"));
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->installEventFilter(this);
+  QHeaderView* const header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  const int number_px = fontMetrics().horizontalAdvance(QStringLiteral("-1,234.5")) + 16;
+  for (const int column : {PlacesModel::CellsColumn, PlacesModel::XColumn, PlacesModel::YColumn})
+    header->resizeSection(column, number_px);
+  new NameColumn(table_, header, PlacesModel::SubmapsColumn,
+                 {{PlacesModel::CellsColumn, number_px, false},
+                  {PlacesModel::XColumn, number_px, false},
+                  {PlacesModel::YColumn, number_px, false}});
+  blink_->setCheckable(true);
+  shown_->setSample(QStringLiteral("x"));
+  shown_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  auto* const tools = new WrappingRow;
+  for (QPushButton* button : {blink_, next_, all_}) tools->add(button);
+  tools->add(shown_, 1, 120);
+  steps_->setLayout(tools);
+  auto* const body = new QWidget(this);
+  body->setLayout(columnOf({rowOf({{tolerance_, 1}, layer_}, 8, QMargins(8, 6, 8, 0)),
+                            rowOf({{summary_, 1}}, 0, QMargins(8, 0, 8, 0)),
+                            rowOf({{progress_, 1}, work_}, 8, QMargins(8, 0, 8, 0)),
+                            {table_, 1},
+                            steps_,
+                            LayoutItem(static_cast<QWidget*>(nullptr))},  // while there is no table
+                           6, QMargins()));
+  setWidget(body);
+  connect(table_, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { Q_EMIT placeWanted(index.row()); });
+  setTolerance(kTolerances.back(), agreement::Rules().cell_m);
+  setPlaces({});
+  setWork(Work::Done, 1);
+  setSteps(false, false, {});
+}
+
+DisagreementDock::~DisagreementDock() { table_->removeEventFilter(this); }
+
+void DisagreementDock::setText(const QString& text) {
+  if (text != summary_->text()) summary_->setText(text);
+}
+
+void DisagreementDock::setPlaces(std::vector<agreement::Place> places) {
+  table_->setVisible(!places.empty());
+  steps_->setVisible(!places.empty());
+  const QModelIndex chosen = table_->currentIndex();
+  const std::optional<agreement::Place> before =
+      chosen.isValid() ? std::optional(model_->place(chosen.row())) : std::nullopt;
+  model_->setPlaces(std::move(places));
+  if (const int row = before ? model_->rowOf(*before) : -1; row >= 0)
+    table_->setCurrentIndex(model_->index(row, 0));
+}
+
+void DisagreementDock::setWork(Work work, double share_made) {
+  progress_->setVisible(work == Work::Goes);
+  progress_->setValue(int(std::lround(share_made * progress_->maximum())));
+  work_->setVisible(work != Work::Done);
+  work_->setText(work == Work::Goes ? tr("Cancel") : tr("Go on"));
+}
+
+void DisagreementDock::setSteps(bool possible, bool stepping, const QString& text) {
+  for (QPushButton* button : {blink_, next_}) button->setEnabled(possible);
+  all_->setEnabled(stepping);
+  shown_->setText(text);
+}
+
+void DisagreementDock::setTolerance(int cells, double cell_m) {
+  for (int i = 0; i < tolerance_->count(); ++i) {
+    const int of_item = tolerance_->itemData(i).toInt();
+    if (of_item == cells) tolerance_->setCurrentIndex(i);
+    tolerance_->setItemData(i,
+                            of_item == 0 ? tr("A wall that is seen a cell beside contradicts")
+                                         : tr("A wall that is seen up to %1 cm beside is the same wall")
+                                               .arg(words::fixed(100 * of_item * cell_m, 0)),
+                            Qt::ToolTipRole);
+  }
+  tolerance_->setToolTip(tolerance_->currentData(Qt::ToolTipRole).toString());
+}
+
+int DisagreementDock::tolerance() const { return tolerance_->currentData().toInt(); }
+
+void DisagreementDock::clearSelection() {
+  table_->setCurrentIndex({});
+  table_->clearSelection();
+}
+
+bool DisagreementDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && table_->currentIndex().isValid()) {
+      Q_EMIT placeWanted(table_->currentIndex().row());
+      return true;
+    }
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_disagreement_dock.cpp"

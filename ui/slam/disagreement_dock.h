@@ -1,0 +1,91 @@
+// Where submaps contradict each other: how much, the places, and buttons that step through the submaps of
+// one.
+#pragma once
+
+#include <vector>
+
+#include <QAbstractTableModel>
+#include <QDockWidget>
+
+#include "agreement/survey.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableView;
+
+namespace mapwright::window {
+
+class PlainLabel;
+
+/// In their order: the worst first.
+class PlacesModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { CellsColumn, XColumn, YColumn, SubmapsColumn, kColumns };
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void setPlaces(std::vector<agreement::Place> places);
+  const agreement::Place& place(int row) const { return places_[std::size_t(row)]; }
+  /// -1 = not listed.
+  int rowOf(const agreement::Place& place) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override {
+    return parent.isValid() ? 0 : int(places_.size());
+  }
+  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  std::vector<agreement::Place> places_;
+};
+
+class DisagreementDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  explicit DisagreementDock(QWidget* parent = nullptr);
+  ~DisagreementDock() override;
+
+  void setText(const QString& text);  // plain
+  void setPlaces(std::vector<agreement::Place> places);
+  enum class Work { Done, Goes, Stopped };
+  void setWork(Work work, double share_made);
+  /// `text`: which submap is shown; empty: all are. `possible`: a place is chosen.
+  void setSteps(bool possible, bool stepping, const QString& text);
+  void setTolerance(int cells, double cell_m);
+  int tolerance() const;
+  void clearSelection();
+
+  QTableView* table() const { return table_; }
+  PlacesModel* model() const { return model_; }
+  QLabel* summary() const { return summary_; }
+  QComboBox* toleranceBox() const { return tolerance_; }
+  QCheckBox* layerBox() const { return layer_; }
+  QPushButton* workButton() const { return work_; }
+  QPushButton* blinkButton() const { return blink_; }
+  QPushButton* nextButton() const { return next_; }
+  QPushButton* allButton() const { return all_; }
+
+ Q_SIGNALS:
+  void placeWanted(int row);  // by a click or Enter
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  PlacesModel* model_;
+  QComboBox* tolerance_;
+  QCheckBox* layer_;
+  QLabel* summary_;
+  QProgressBar* progress_;
+  QPushButton* work_;
+  QTableView* table_;
+  QWidget* steps_;
+  PlainLabel* shown_;
+  QPushButton *blink_, *next_, *all_;
+};
+
+}  // namespace mapwright::window
