@@ -40,8 +40,8 @@ DisagreementController::DisagreementController(WindowContext& context, QObject* 
       run_(new scene::AgreementRun(context.workers, this)),
       found_(std::make_unique<agreement::Disagreement>()) {
   context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
-                              .tab = 21,
-                              .menu_rank = 31,
+                              .tab = 22,
+                              .menu_rank = 32,
                               .idle = lacksForGood(context.current, {robot::Capability::Submaps})});
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &DisagreementController::look);
