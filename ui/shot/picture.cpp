@@ -11,6 +11,7 @@
 #include "disk/written_file.h"
 #include "grids/png_writer.h"
 #include "jobs/export_map.h"
+#include "scene/agreement_run.h"
 #include "work/budgets.h"
 
 namespace mapwright::shot {
@@ -46,6 +47,8 @@ ScenePicture::ScenePicture(Look look, session::Session& session, std::shared_ptr
   if (look_.layers.contains(scene::Layer::Disagreement) || look_.layers.contains(scene::Layer::Coverage))
     agreement_ = std::make_unique<scene::AgreementRun>(std::move(workers));
 }
+
+ScenePicture::~ScenePicture() = default;
 
 void ScenePicture::start() {
   scene_.setTheme(look_.dark ? scene::darkMapTheme() : scene::lightMapTheme());

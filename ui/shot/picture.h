@@ -16,11 +16,14 @@
 #include "regions/region_map.h"
 #include "render/compositor.h"
 #include "render/sample_grid.h"
-#include "scene/agreement_run.h"
 #include "scene/map_scene.h"
 #include "scene/track.h"
 #include "session/session.h"
 #include "work/workers.h"
+
+namespace mapwright::scene {
+class AgreementRun;
+}
 
 namespace mapwright::shot {
 
@@ -55,6 +58,7 @@ class ScenePicture : public Picture {
   Q_OBJECT
  public:
   ScenePicture(Look look, session::Session& session, std::shared_ptr<work::Workers> workers);
+  ~ScenePicture() override;
   void start() override;
   double made() const override;
   std::optional<Fault> write(const QString& path) override;
