@@ -130,6 +130,30 @@ MapFact mapFrom(const QJsonObject& json) {
           blocksFrom(json[QLatin1String("blocks")])};
 }
 
+QJsonObject closuresJson(const ClosuresFact& closures) {
+  return {{QStringLiteral("inter"), qint64(closures.inter)},
+          {QStringLiteral("largest_m"), closures.largest_m ? QJsonValue(*closures.largest_m) : QJsonValue()}};
+}
+
+QJsonObject disagreementJson(const DisagreementFact& disagreement) {
+  return {{QStringLiteral("tolerance_cells"), disagreement.tolerance_cells},
+          {QStringLiteral("occupied_cells"), qint64(disagreement.occupied_cells)},
+          {QStringLiteral("contradicted_cells"), qint64(disagreement.contradicted_cells)},
+          {QStringLiteral("share"), disagreement.share()}};
+}
+
+void readFigures(const QJsonObject& json, Facts& facts) {
+  if (const QJsonValue value = json[QLatin1String("closures")]; value.isObject()) {
+    const QJsonValue largest = value[QLatin1String("largest_m")];
+    facts.closures = ClosuresFact{value[QLatin1String("inter")].toInteger(),
+                                  largest.isDouble() ? std::optional(largest.toDouble()) : std::nullopt};
+  }
+  if (const QJsonValue value = json[QLatin1String("disagreement")]; value.isObject())
+    facts.disagreement = DisagreementFact{value[QLatin1String("tolerance_cells")].toInt(),
+                                          value[QLatin1String("occupied_cells")].toInteger(),
+                                          value[QLatin1String("contradicted_cells")].toInteger()};
+}
+
 std::optional<map::SubmapId> idFrom(const QString& word) {
   const auto split = word.lastIndexOf(QLatin1Char('-'));
   bool ok_trajectory = false, ok_index = false;
@@ -189,6 +213,8 @@ QByteArray factsBytes(const Facts& facts) {
         exchange::waypointsJson(points, facts.map ? facts.map->id : std::string());
   }
   if (facts.robot) json[QStringLiteral("robot")] = poseJson(*facts.robot);
+  if (facts.closures) json[QStringLiteral("closures")] = closuresJson(*facts.closures);
+  if (facts.disagreement) json[QStringLiteral("disagreement")] = disagreementJson(*facts.disagreement);
   QJsonObject stamps;
   for (const auto& [topic, stamp_s] : facts.stamps) stamps[text(topic)] = stamp_s;
   if (!stamps.isEmpty()) json[QStringLiteral("stamps")] = stamps;
@@ -231,6 +257,7 @@ tl::expected<Facts, QString> factsFrom(const QByteArray& bytes) {
     facts.waypoints.push_back(*point);
   }
   facts.robot = poseFrom(json[QLatin1String("robot")]);
+  readFigures(json, facts);
   const QJsonObject stamps = json[QLatin1String("stamps")].toObject();
   for (auto it = stamps.begin(); it != stamps.end(); ++it)
     facts.stamps[it.key().toStdString()] = it.value().toDouble();

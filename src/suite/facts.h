@@ -1,6 +1,7 @@
 // What made a picture: kept beside it, so that a picture that differs can be explained. Values.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,6 +37,21 @@ struct MapFact {
   CellBlocks blocks = {};                      // of its cells; files of earlier versions have none
 };
 
+/// Figures of the SLAM session, where the view sets a limit to them: they alter no pixel.
+struct ClosuresFact {
+  std::int64_t inter = 0;           // loop closures
+  std::optional<double> largest_m;  // the largest residual of one; nullopt: there is none
+  bool operator==(const ClosuresFact&) const = default;
+};
+struct DisagreementFact {
+  int tolerance_cells = 0;
+  std::int64_t occupied_cells = 0, contradicted_cells = 0;
+  double share() const {
+    return occupied_cells > 0 ? double(contradicted_cells) / double(occupied_cells) : 0;
+  }
+  bool operator==(const DisagreementFact&) const = default;
+};
+
 /// Of what is drawn.
 struct Facts {
   std::string picture = {};  // sumOf() its file; empty: unknown, as in files of earlier versions
@@ -46,8 +62,10 @@ struct Facts {
   std::string overlays;  // a FeatureCollection; empty = none are drawn
   std::vector<map::Waypoint> waypoints;
   std::optional<geometry::Pose2> robot;
-  std::string theme;                     // light or dark; empty = unknown
-  std::vector<std::string> layers;       // by name
+  std::string theme;                // light or dark; empty = unknown
+  std::vector<std::string> layers;  // by name
+  std::optional<ClosuresFact> closures = {};
+  std::optional<DisagreementFact> disagreement = {};
   std::map<std::string, double> stamps;  // of the messages of a bag, by topic: seconds since the epoch
 };
 

@@ -49,6 +49,8 @@ Facts facts() {
   facts.robot = geometry::Pose2{3, 4, 0};
   facts.theme = "dark";
   facts.layers = {"whole", "submaps", "overlays"};
+  facts.closures = suite::ClosuresFact{12, 0.3125};
+  facts.disagreement = suite::DisagreementFact{4, 884, 21};
   facts.stamps = {{"/scan", 1700000000.25}};
   return facts;
 }
@@ -84,6 +86,29 @@ class SuiteFactsTest : public QObject {
     QCOMPARE(back->picture, std::string("5e"));
     QCOMPARE(wordsOf(facts(), *back), QStringList());
     QCOMPARE(back->view->scale_m_per_px, 0.05);
+    QVERIFY(back->closures == facts().closures && back->disagreement == facts().disagreement);
+  }
+  void figuresOfTheSessionAreNumbersForATrend() {
+    const QJsonObject json = QJsonDocument::fromJson(suite::factsBytes(facts())).object();
+    const QJsonObject closures = json[QLatin1String("closures")].toObject(),
+                      disagreement = json[QLatin1String("disagreement")].toObject();
+    QCOMPARE(closures[QLatin1String("inter")].toInt(), 12);
+    QCOMPARE(closures[QLatin1String("largest_m")].toDouble(), 0.3125);
+    QCOMPARE(disagreement[QLatin1String("tolerance_cells")].toInt(), 4);
+    QCOMPARE(disagreement[QLatin1String("occupied_cells")].toInt(), 884);
+    QCOMPARE(disagreement[QLatin1String("contradicted_cells")].toInt(), 21);
+    QCOMPARE(disagreement[QLatin1String("share")].toDouble(), 21.0 / 884);
+    Facts none = facts();
+    none.closures = suite::ClosuresFact{};
+    none.disagreement.reset();
+    const auto back = suite::factsFrom(suite::factsBytes(none));
+    QVERIFY(back && back->closures == none.closures && !back->disagreement);
+  }
+  void figuresAlterNoPixel() {
+    Facts after = facts();
+    after.closures.reset();
+    after.disagreement->contradicted_cells = 800;
+    QCOMPARE(wordsOf(facts(), after), QStringList());
   }
   void whatIsNoFileOfFactsIsRefused() {
     for (const char* bytes : {"", "[]", "{}", R"({"mapwright":"facts","version":1,"submaps":[{"id":"x"}]})",
