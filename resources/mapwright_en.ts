@@ -214,6 +214,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%1 views are over a limit</source>
+        <translation>
+            <numerusform>%1 view is over a limit</numerusform>
+            <numerusform>%1 views are over a limit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 views have no expected picture</source>
         <translation>
             <numerusform>%1 view has no expected picture</numerusform>
@@ -259,6 +266,16 @@
         <translation>
             <numerusform>%1 older problem is no longer listed.</numerusform>
             <numerusform>%1 older problems are no longer listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Quality</name>
+    <message numerus="yes">
+        <source>%1 cells at %2, submaps %3</source>
+        <translation>
+            <numerusform>%1 cell at %2, submaps %3</numerusform>
+            <numerusform>%1 cells at %2, submaps %3</numerusform>
         </translation>
     </message>
 </context>

@@ -46,6 +46,13 @@ tl::expected<Facts, QString> factsIn(const QString& path) {
   return factsFrom(QByteArray::fromStdString(*bytes));
 }
 
+std::optional<Facts> expectedFacts(const Judgement& judgement) {
+  if (judgement.expected.isEmpty()) return std::nullopt;
+  auto facts = factsIn(factsBeside(judgement.expected));
+  const bool of_it = facts && (facts->picture.empty() || facts->picture == sumOf(judgement.expected));
+  return of_it ? std::optional(std::move(*facts)) : std::nullopt;
+}
+
 void explain(const Judgement& judgement, const Facts& facts, ViewOutcome& outcome) {
   const compare::Comparison& comparison = *judgement.comparison;
   Explanation explanation;

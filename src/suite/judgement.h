@@ -28,6 +28,9 @@ QString factsBeside(const QString& picture);
 /// The error is a sentence without the name of the file.
 tl::expected<Facts, QString> factsIn(const QString& path);
 
+/// Those beside the nearest picture, if they can be read and are of it.
+std::optional<Facts> expectedFacts(const Judgement& judgement);
+
 /// What is to be said of a view that differs, joined with the facts that changed since the nearest of its
 /// pictures, if there are facts of that one. A note if they cannot be read. Precondition: they were compared.
 void explain(const Judgement& judgement, const Facts& facts, ViewOutcome& outcome);

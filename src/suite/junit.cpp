@@ -27,7 +27,8 @@ bool writeJunit(const QString& suite, const std::vector<ViewOutcome>& outcomes, 
   xml.writeStartDocument();
   const auto count = [&] {
     xml.writeAttribute(QStringLiteral("tests"), QString::number(tally.all()));
-    xml.writeAttribute(QStringLiteral("failures"), QString::number(tally.differ + tally.not_expected_yet));
+    xml.writeAttribute(QStringLiteral("failures"),
+                       QString::number(tally.differ + tally.over_limit + tally.not_expected_yet));
     xml.writeAttribute(QStringLiteral("errors"), QString::number(tally.failed));
     xml.writeAttribute(QStringLiteral("time"), secondsText(seconds));
   };
@@ -47,6 +48,14 @@ bool writeJunit(const QString& suite, const std::vector<ViewOutcome>& outcomes, 
       xml.writeAttribute(QStringLiteral("type"), verdictText(outcome.verdict));
       xml.writeAttribute(QStringLiteral("message"), inXml(outcome.sentence));
       xml.writeCharacters(inXml(outcome.sentence));
+      for (const QString& place : outcome.worst_closures + outcome.worst_squares)
+        xml.writeCharacters(QLatin1Char('\n') + inXml(place));
+      xml.writeEndElement();
+    }
+    if (!outcome.figures.empty()) {
+      xml.writeStartElement(QStringLiteral("system-out"));
+      for (const ViewOutcome::Figure& figure : outcome.figures)
+        xml.writeCharacters(inXml(figure.words()) + QLatin1Char('\n'));
       xml.writeEndElement();
     }
     xml.writeEndElement();

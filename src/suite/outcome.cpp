@@ -39,6 +39,11 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
   return rows;
 }
 
+QString ViewOutcome::Figure::words() const {
+  if (before.isEmpty() || before == now) return OutcomeText::tr("%1 %2").arg(name, now);
+  return OutcomeText::tr("%1 %2 -> %3").arg(name, before, now);
+}
+
 Tally tallyOf(const std::vector<ViewOutcome>& outcomes) {
   Tally tally;
   for (const ViewOutcome& outcome : outcomes) {
@@ -48,6 +53,9 @@ Tally tallyOf(const std::vector<ViewOutcome>& outcomes) {
         break;
       case Verdict::Differs:
         ++tally.differ;
+        break;
+      case Verdict::OverLimit:
+        ++tally.over_limit;
         break;
       case Verdict::NotExpectedYet:
         ++tally.not_expected_yet;
@@ -67,6 +75,9 @@ QString tallyText(const Tally& tally) {
                             tally.as_expected)};
   if (tally.differ > 0)
     parts << counted(OutcomeText::tr("%1 views differ", nullptr, formOf(tally.differ)), tally.differ);
+  if (tally.over_limit > 0)
+    parts << counted(OutcomeText::tr("%1 views are over a limit", nullptr, formOf(tally.over_limit)),
+                     tally.over_limit);
   if (tally.not_expected_yet > 0)
     parts << counted(
         OutcomeText::tr("%1 views have no expected picture", nullptr, formOf(tally.not_expected_yet)),
@@ -82,6 +93,8 @@ QString verdictText(Verdict verdict) {
       return OutcomeText::tr("as expected");
     case Verdict::Differs:
       return OutcomeText::tr("differs");
+    case Verdict::OverLimit:
+      return OutcomeText::tr("over a limit");
     case Verdict::NotExpectedYet:
       return OutcomeText::tr("not expected yet");
     case Verdict::Failed:

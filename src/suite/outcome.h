@@ -16,6 +16,7 @@ namespace mapwright::suite {
 enum class Verdict {
   AsExpected,
   Differs,
+  OverLimit,       // as expected, but the SLAM session is over a limit of the view
   NotExpectedYet,  // there is no expected picture
   Failed,          // the view did not come, or could not be compared
 };
@@ -32,6 +33,15 @@ struct ViewOutcome {
   };
   std::vector<ClusterRow> clusters;              // the first ones
   QStringList everywhere, somewhere, elsewhere;  // as in an Explanation
+  /// Of the SLAM session, where the view sets a limit to it; `before`: in the facts of the expected picture.
+  /// Empty texts: unknown, or no limit.
+  struct Figure {
+    QString name, before, now, limit;
+    /// "share 0.8 % -> 2.4 %".
+    QString words() const;
+  };
+  std::vector<Figure> figures;
+  QStringList worst_closures, worst_squares;  // where a limit is not held; the first ones
 };
 
 /// What is shown of clusters, with what changed near them.
@@ -40,8 +50,8 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
                                                  const Explanation& explanation);
 
 struct Tally {
-  int as_expected = 0, differ = 0, not_expected_yet = 0, failed = 0;
-  int all() const { return as_expected + differ + not_expected_yet + failed; }
+  int as_expected = 0, differ = 0, over_limit = 0, not_expected_yet = 0, failed = 0;
+  int all() const { return as_expected + differ + over_limit + not_expected_yet + failed; }
   bool good() const { return as_expected == all(); }
 };
 Tally tallyOf(const std::vector<ViewOutcome>& outcomes);

@@ -1,6 +1,7 @@
 // A list of views of maps (docs/maps-in-ci.md, "suite.yaml"). Values.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,15 @@ struct ViewOption {
   Position at;
 };
 
+/// Limits of the SLAM session behind a view; nullopt = none, and nothing is looked at.
+struct Quality {
+  std::optional<double> closures_over_m;    // the largest residual of a loop closure (INTER)
+  std::optional<double> disagreement_over;  // the share of occupied cells that contradict, 0..1
+  int tolerance_cells = 4;                  // of the disagreement: walls so far apart are the same wall
+  static constexpr int kMostTolerance = 40;
+  bool asked() const { return closures_over_m || disagreement_over; }
+};
+
 struct View {
   QString name;  // also that of its files
   Position at;
@@ -28,6 +38,7 @@ struct View {
   QString mask;  // as written; empty = none
   int tolerance = 0;
   double max_differing_percent = 0;
+  Quality quality;
 
   /// Its value; empty = not given.
   std::string option(const std::string& name) const {

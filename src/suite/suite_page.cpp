@@ -63,6 +63,29 @@ void putClusters(const ViewOutcome& outcome, page::Page& page) {
   }
 }
 
+void putQuality(const ViewOutcome& outcome, page::Page& page) {
+  if (!outcome.figures.empty()) {
+    page.beginTable({SuitePageText::tr("SLAM session"), SuitePageText::tr("Expected"),
+                     SuitePageText::tr("Actual"), SuitePageText::tr("Limit")});
+    for (const ViewOutcome::Figure& figure : outcome.figures)
+      page.row(
+          {figure.name, page::figure(figure.before), page::figure(figure.now), page::figure(figure.limit)});
+    page.endTable();
+  }
+  for (const auto& [title, places] :
+       {std::pair(SuitePageText::tr("Loop closures over the limit"), &outcome.worst_closures),
+        std::pair(SuitePageText::tr("Where submaps contradict each other most"), &outcome.worst_squares)}) {
+    if (places->isEmpty()) continue;
+    page.title(title);
+    page.list(*places);
+  }
+}
+
+/// Has a section of its own.
+bool isTold(const ViewOutcome& outcome) {
+  return outcome.verdict != Verdict::AsExpected || !outcome.figures.empty();
+}
+
 }  // namespace
 
 bool writePage(const QString& suite, const std::vector<ViewOutcome>& outcomes, QIODevice& out) {
@@ -76,19 +99,20 @@ bool writePage(const QString& suite, const std::vector<ViewOutcome>& outcomes, Q
       const Verdict verdict = outcomes[view].verdict;
       if ((verdict == Verdict::AsExpected) != good) continue;
       page::Cell name(outcomes[view].name);
-      if (!good) name.link = anchorOf(view);
+      if (isTold(outcomes[view])) name.link = anchorOf(view);
       page.row({name, page::Cell(verdictText(verdict), toneOf(verdict))});
     }
   }
   page.endTable();
   for (std::size_t view = 0; view < outcomes.size(); ++view) {
     const ViewOutcome& outcome = outcomes[view];
-    if (outcome.verdict == Verdict::AsExpected) continue;
+    if (!isTold(outcome)) continue;
     page.section(outcome.name, anchorOf(view));
     page.paragraph(verdictText(outcome.verdict), toneOf(outcome.verdict));
     if (!outcome.sentence.isEmpty()) page.paragraph(outcome.sentence);
     putPictures(outcome, page);
     putClusters(outcome, page);
+    putQuality(outcome, page);
   }
   return page.end();
 }

@@ -112,6 +112,35 @@ class SuiteReportsTest : public QObject {
     QVERIFY(at("<td>hall</td>") < at("<section id=\"view2\">"));
     QCOMPARE(html.count(QStringLiteral("<section id=")), 3);
   }
+  void figuresAndPlacesOfTheSessionAreInBothReports() {
+    ViewOutcome held, over;
+    held.name = QStringLiteral("held");
+    held.verdict = Verdict::AsExpected;
+    held.figures = {{QStringLiteral("share"), QStringLiteral("0.8 %"), QStringLiteral("2.4 %"), {}}};
+    over.name = QStringLiteral("over");
+    over.verdict = Verdict::OverLimit;
+    over.sentence = QStringLiteral("More than 0.5 m.");
+    over.worst_closures = {QStringLiteral("1.2 m: submap <0-4>")};
+    over.worst_squares = {QStringLiteral("3 cells at (1.5, 2.5)")};
+    QBuffer junit, page;
+    junit.open(QIODevice::WriteOnly);
+    page.open(QIODevice::WriteOnly);
+    QVERIFY(suite::writeJunit(QStringLiteral("s"), {held, over}, junit));
+    QVERIFY(suite::writePage(QStringLiteral("s"), {held, over}, page));
+    const QString xml = QString::fromUtf8(junit.data()), html = QString::fromUtf8(page.data());
+    QVERIFY2(xml.contains(QStringLiteral("<system-out>share 0.8 % -&gt; 2.4 %\n</system-out>")),
+             qPrintable(xml));
+    QVERIFY2(
+        xml.contains(QStringLiteral("<failure type=\"over a limit\" message=\"More than 0.5 m.\">More than "
+                                    "0.5 m.\n1.2 m: submap &lt;0-4&gt;\n3 cells at (1.5, 2.5)</failure>")),
+        qPrintable(xml));
+    QVERIFY(xml.contains(QStringLiteral("failures=\"1\"")));
+    for (const char* text : {"0.8 %", "2.4 %", "submap &lt;0-4&gt;", "3 cells at (1.5, 2.5)", "Limit"})
+      QVERIFY2(html.contains(QLatin1String(text)), text);
+    const suite::Tally tally = suite::tallyOf({held, over});
+    QVERIFY(!tally.good());
+    QCOMPARE(suite::tallyText(tally), QStringLiteral("1 view as expected, 1 view is over a limit."));
+  }
   void theSameRunGivesTheSameBytes() {
     QCOMPARE(written(suite::writePage), written(suite::writePage, 5));
     QCOMPARE(written(suite::writeJunit), written(suite::writeJunit));
