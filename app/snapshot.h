@@ -16,6 +16,7 @@
 #include "render/tile_renderer.h"
 #include "robot/offers_topics.h"
 #include "scene/map_scene.h"
+#include "suite/suite.h"
 
 namespace mapwright::app {
 
@@ -60,6 +61,7 @@ struct SnapshotOptions {
   bool force = false;              // overwrite files even if the map was read from them
   std::optional<double> settle_s;  // nullopt = complete
   double timeout_s = 60;
+  suite::Quality quality;  // what it needs is loaded, too
 
   bool wantsSubmaps() const;
   bool wantsWhole() const;

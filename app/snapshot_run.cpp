@@ -58,7 +58,8 @@ session::Session::Options sessionFor(const SnapshotOptions& options,
   session::Session::Options session = sessionOptions();
   session.workers = workers;
   session.overview = session.maps = false;  // a picture shows exact data, or none
-  session.basics = shot::LayerSubscription::basics(options.layers, options.wantsSubmaps());
+  session.basics = shot::LayerSubscription::basics(
+      options.layers, options.wantsSubmaps() || options.quality.disagreement_over.has_value());
   return session;
 }
 
@@ -218,7 +219,7 @@ bool SnapshotRun::connected() {
 void SnapshotRun::awaitContent() {
   shot_.forgetAll();
   if (region_) shot_.await(Awaited::Region, [this] { return region_->over(); });
-  if (!region_ && options_.wantsSubmaps())
+  if (needsSubmaps())
     shot_.await(Awaited::Submaps, [this] { return lacksSubmaps() || session_.settled(kSnapshotTries); });
   // A robot is drawn on the maps that it is in, which the catalogue tells.
   if (!options_.raw && options_.wantsWhole() && options_.map && options_.map->kind != map::MapKind::Live &&
@@ -241,10 +242,15 @@ void SnapshotRun::awaitContent() {
   if (wantsTrack())
     shot_.await(Awaited::Track, [this] { return replayed_->reading()->chunks().wholeSettled(); });
   if (wantsCloud()) shot_.await(Awaited::Cloud, [this] { return cloudIn(); });
-  if (wantsClosures()) {
+  if (wantsClosures() || (options_.quality.closures_over_m && session_.poseGraph().offered())) {
     session_.poseGraph().want();
     shot_.await(Awaited::PoseGraph, [this] { return !session_.poseGraph().loading(); });
   }
+}
+
+bool SnapshotRun::needsSubmaps() {
+  return (!region_ && options_.wantsSubmaps()) ||
+         (options_.quality.disagreement_over && session_.robot().submapSource());
 }
 
 bool SnapshotRun::wantsClosures() const {
@@ -439,8 +445,8 @@ bool SnapshotRun::wantsTrack() const {
   return replayed_ && !options_.raw && options_.layers.contains(scene::Layer::Track);
 }
 
-bool SnapshotRun::lacksSubmaps() const {
-  return recall_ && recall_->in() && options_.wantsSubmaps() && !session_.world().submaps;
+bool SnapshotRun::lacksSubmaps() {
+  return recall_ && recall_->in() && needsSubmaps() && !session_.world().submaps;
 }
 
 bool SnapshotRun::wantsCloud() const {

@@ -130,6 +130,8 @@ class SnapshotRun : public QObject {
   std::unique_ptr<shot::Picture> makePicture(std::shared_ptr<const scene::Track> track);
   /// The cells of the whole map, if it is drawn.
   std::optional<render::PlacedGrid> wholeGrid() const;
+  /// For the picture, or to compare them.
+  bool needsSubmaps();
   bool wantsWholeMap() const { return options_.wantsWhole() && ground_ != Ground::ScansAlone; }
   /// Waypoints should be drawn but could not be loaded.
   bool waypointsLost() const;
@@ -140,7 +142,7 @@ class SnapshotRun : public QObject {
   bool wantsCloud() const;
   bool wantsClosures() const;
   void askForCloud(const geometry::WorldRect& seen);
-  bool lacksSubmaps() const;  // a bag that contains no submap list up to its time: none will arrive
+  bool lacksSubmaps();  // a bag that contains no submap list up to its time: none will arrive
   /// Requests the cloud of what is drawn: the area is known.
   bool cloudIn();
   bool somethingIn() const;

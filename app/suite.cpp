@@ -231,6 +231,13 @@ std::optional<QString> writeFacts(const QString& path, const suite::Facts& facts
   return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
+/// What is behind a picture, with the figures that its view asks for.
+suite::Facts factsOf(const DrawnView& drawn) {
+  suite::Facts facts = shot::factsOf(drawn.run->shown(), drawn.run->session());
+  suite::addFigures(drawn.examined, facts);
+  return facts;
+}
+
 ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnView& drawn, bool& unreadable) {
   ViewOutcome outcome;
   outcome.name = plan.views[view].name;
@@ -245,12 +252,13 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
   outcome.verdict = verdict.verdict;
   outcome.sentence = verdict.sentence;
   unreadable = unreadable || verdict.unreadable();
-  if (outcome.verdict == Verdict::AsExpected) {
+  const suite::Quality& quality = plan.views[view].quality;
+  if (outcome.verdict == Verdict::AsExpected && !quality.asked()) {
     QFile::remove(actual);
     return outcome;
   }
   outcome.actual = actual;
-  suite::Facts facts = shot::factsOf(drawn.run->shown(), drawn.run->session());
+  suite::Facts facts = factsOf(drawn);
   facts.picture = suite::sumOf(actual);
   const auto not_kept = writeFacts(suite::factsBeside(actual), facts);
   if (verdict.verdict == Verdict::Differs) {
@@ -262,6 +270,11 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     } else {
       outcome.difference = difference;
     }
+  }
+  if (quality.asked()) suite::judgeQuality(quality, drawn.examined, suite::expectedFacts(verdict), outcome);
+  if (outcome.verdict == Verdict::AsExpected) {  // its facts stay: they show how the figures change
+    QFile::remove(actual);
+    outcome.actual.clear();
   }
   if (not_kept) outcome.sentence += QLatin1Char(' ') + *not_kept;
   return outcome;
@@ -356,16 +369,25 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
       return Text::tr("%1: nothing accepted. %2").arg(name, sentence);
     };
     if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
-    suite::Facts facts = shot::factsOf(drawn.run->shown(), drawn.run->session());
+    if (!drawn.examined.lacks.isEmpty())
+      return fail(kIncomplete, drawn.examined.lacks.join(QLatin1Char(' ')));
+    suite::Facts facts = factsOf(drawn);
     const QString picture = plan.expectedPicture(view);
     const Judgement verdict = judged(plan, view);
+    ViewOutcome of_session;
+    suite::judgeQuality(plan.views[view].quality, drawn.examined, suite::expectedFacts(verdict), of_session);
+    const auto told = [&of_session](const QString& line) {
+      return of_session.sentence.isEmpty() ? line : QStringLiteral("%1. %2").arg(line, of_session.sentence);
+    };
     if (verdict.verdict == Verdict::AsExpected) {
       facts.picture = suite::sumOf(verdict.expected);
       const QString beside = suite::factsBeside(verdict.expected);
-      if (const auto kept = suite::factsIn(beside); kept && kept->picture == facts.picture)
-        return Text::tr("%1: as expected, nothing is replaced").arg(name);
+      if (const auto kept = suite::factsIn(beside); kept && kept->picture == facts.picture &&
+                                                    kept->closures == facts.closures &&
+                                                    kept->disagreement == facts.disagreement)
+        return told(Text::tr("%1: as expected, nothing is replaced").arg(name));
       if (const auto why = writeFacts(beside, facts)) return fail(kUsage, *why);
-      return Text::tr("%1: as expected, the facts beside it are new: %2").arg(name, beside);
+      return told(Text::tr("%1: as expected, the facts beside it are new: %2").arg(name, beside));
     }
     const QString actual = plan.made("actual", view);
     // Its mask must fit.
@@ -379,8 +401,9 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     if (verdict.unreadable()) outcome.sentence = verdict.sentence;
     if (const auto why = replaceExpected(plan, view, facts)) return fail(kUsage, *why);
     const QString ended = endVariants(plan, view);
-    return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, ended + outcome.sentence)
-                    : Text::tr("%1: new, %2").arg(name, picture);
+    if (!replaces) return told(Text::tr("%1: new, %2").arg(name, picture));
+    const QString sentence = (outcome.sentence + QLatin1Char(' ') + of_session.sentence).trimmed();
+    return Text::tr("%1: replaced %2. %3").arg(name, picture, ended + sentence);
   });
   sayStrays(plan.strays);
   return code;

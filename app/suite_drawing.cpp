@@ -12,9 +12,11 @@
 #include "app/command_text.h"
 #include "app/report.h"
 #include "app/robot_factory.h"
+#include "app/suite_quality.h"
 #include "replay/replay_robot.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
+#include "work/budgets.h"
 
 namespace mapwright::app {
 namespace {
@@ -118,12 +120,14 @@ tl::expected<SnapshotOptions, QString> snapshotOptionsOf(const suite::View& view
   if (args.robot.empty()) return wrong_view(Text::tr("It names no robot, and neither does --robot."));
   auto options = parseSnapshotOptions(args);
   if (!options) return wrong_view(options.error());
+  options->quality = view.quality;
   return std::move(*options);
 }
 
 void drawViews(const std::vector<SnapshotOptions>& views, const RobotAccess& access, int jobs,
                const std::function<void(std::size_t view, const DrawnView& drawn)>& done) {
   const auto workers = std::make_shared<work::Workers>();
+  const auto dense = std::make_shared<render::DenseCache>(work::budgetsFrom().dense);
   QEventLoop loop;
   std::size_t next = 0;
   int under_way = 0;
@@ -144,10 +148,15 @@ void drawViews(const std::vector<SnapshotOptions>& views, const RobotAccess& acc
               !run->error().isEmpty()
                   ? run->error()
                   : Text::tr("Incomplete. %1").arg(run->warnings().join(QLatin1Char(' ')));
-          done(view, {code, code == kDone ? QString() : sentence, took.count(), run});
-          run->deleteLater();
-          --under_way;
-          go_on();
+          const auto end = [&, view, run, code, sentence, seconds = took.count()](suite::Examined examined) {
+            done(view, {code, code == kDone ? QString() : sentence, seconds, run, std::move(examined)});
+            run->deleteLater();
+            --under_way;
+            go_on();
+          };
+          if (code != kDone) return end({});
+          examine(run->options().quality, run->session(), {workers, dense, run->options().timeout_s}, &loop,
+                  end);
         },
         Qt::QueuedConnection);
     run->start();

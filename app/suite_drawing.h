@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/snapshot_run.h"
+#include "suite/quality.h"
 #include "suite/read_suite.h"
 
 namespace mapwright::app {
@@ -23,6 +24,7 @@ struct DrawnView {
   QString sentence;  // why it is not complete
   double seconds = 0;
   const SnapshotRun* run = nullptr;  // null: there was no robot to ask
+  suite::Examined examined = {};     // as its options ask, if it is complete
 };
 
 /// Draws all of `views`, `jobs` at a time, on the event loop of this thread: they wait for their robots

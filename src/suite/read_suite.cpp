@@ -23,6 +23,7 @@ struct SuiteText {
 constexpr int kMostEntries = 1'000;
 constexpr std::size_t kLongestValue = 10'000;
 constexpr std::size_t kMostValueBytes = std::size_t(64) << 20;  // of all views, defaults counted in each
+constexpr double kLargestLimitM = 10'000;
 constexpr int kLongestName = 120;  // in bytes of UTF-8; more is added for the files
 
 Position positionOf(const YAML::Mark& mark) {
@@ -91,6 +92,42 @@ double numberOf(const YAML::Node& node, const QString& key, double most) {
   return number;
 }
 
+int wholeOf(const YAML::Node& node, const QString& key, int most) {
+  const double number = numberOf(node, key, most);
+  if (number != std::floor(number))
+    throw refusedAt(node.Mark(), SuiteText::tr("%1 must be a whole number.").arg(key));
+  return int(number);
+}
+
+Quality qualityOf(const YAML::Node& node) {
+  if (!node.IsMap()) throw refusedAt(node.Mark(), SuiteText::tr("quality must be limits with their values."));
+  Quality quality;
+  std::set<std::string> seen;
+  for (const auto& pair : node) {
+    std::string key = scalar(pair.first, SuiteText::tr("A key"));
+    const QString shown_key = shown(key);
+    std::replace(key.begin(), key.end(), '-', '_');
+    if (!seen.insert(key).second) throw twiceAt(pair.first);
+    if (key == "closures_over_m") {
+      quality.closures_over_m = numberOf(pair.second, shown_key, kLargestLimitM);
+    } else if (key == "disagreement_over") {
+      quality.disagreement_over = numberOf(pair.second, shown_key, 1);
+    } else if (key == "tolerance_cells") {
+      quality.tolerance_cells = wholeOf(pair.second, shown_key, Quality::kMostTolerance);
+    } else {
+      throw refusedAt(
+          pair.first.Mark(),
+          SuiteText::tr("There is no key \"%1\" of quality. Known: %2.")
+              .arg(shown_key, QStringLiteral("closures_over_m, disagreement_over, tolerance_cells")));
+    }
+  }
+  if (!quality.asked())
+    throw refusedAt(node.Mark(), SuiteText::tr("quality needs closures_over_m, disagreement_over or both."));
+  if (seen.contains("tolerance_cells") && !quality.disagreement_over)
+    throw refusedAt(node.Mark(), SuiteText::tr("tolerance_cells means nothing without disagreement_over."));
+  return quality;
+}
+
 /// The names of files are made of it.
 QString nameOf(const YAML::Node& node) {
   const std::string text = scalar(node, QStringLiteral("name"));
@@ -122,7 +159,7 @@ void setOption(View& view, ViewOption option) {
 
 QString knownKeys(const KnownOptions& known) {
   QStringList keys{QStringLiteral("mask"), QStringLiteral("max_differing"), QStringLiteral("name"),
-                   QStringLiteral("tolerance")};
+                   QStringLiteral("quality"), QStringLiteral("tolerance")};
   for (const auto* names : {&known.values, &known.switches}) {
     for (const std::string& name : *names) keys << QString::fromStdString(name);
   }
@@ -148,10 +185,9 @@ void readKeys(const YAML::Node& node, const KnownOptions& known, bool is_view, V
     } else if (key == "mask") {
       view.mask = QString::fromStdString(joined(pair.second, shown_key));
     } else if (key == "tolerance") {
-      const double tolerance = numberOf(pair.second, shown_key, 255);
-      if (tolerance != std::floor(tolerance))
-        throw refusedAt(pair.second.Mark(), SuiteText::tr("tolerance must be a whole number."));
-      view.tolerance = int(tolerance);
+      view.tolerance = wholeOf(pair.second, shown_key, 255);
+    } else if (key == "quality") {
+      view.quality = qualityOf(pair.second);
     } else if (option == "max-differing") {
       view.max_differing_percent = numberOf(pair.second, shown_key, 100);
     } else if (known.switches.contains(option)) {

@@ -20,9 +20,9 @@ struct KnownOptions {
   std::set<std::string> values, switches;
 };
 
-/// "views:" is a list of {name, options…, mask, tolerance, max_differing}, "defaults:" has the same keys but
-/// the name. "_" stands for "-" in the name of an option, too. The error is a sentence that begins with the
-/// place: "Line 3, column 5: …".
+/// "views:" is a list of {name, options…, mask, tolerance, max_differing, quality}, "defaults:" has the same
+/// keys but the name. "_" stands for "-" in the name of an option, too. The error is a sentence that begins
+/// with the place: "Line 3, column 5: …".
 tl::expected<Suite, QString> readSuite(const std::string& yaml, const KnownOptions& known);
 
 /// "Line 3, column 5: …".

@@ -49,6 +49,22 @@ class ReadSuiteTest : public QObject {
              1);
   }
 
+  void qualityIsReadAndAViewsOwnReplacesTheDefault() {
+    const suite::Suite read = good(
+        "defaults: {quality: {closures_over_m: 0.5}}\n"
+        "views:\n"
+        "  - {name: usual}\n"
+        "  - {name: own, quality: {disagreement_over: 0.02, tolerance_cells: 1}}\n");
+    QCOMPARE(read.views[0].quality.closures_over_m, std::optional(0.5));
+    QVERIFY(!read.views[0].quality.disagreement_over);
+    QVERIFY(!read.views[1].quality.closures_over_m);
+    QCOMPARE(read.views[1].quality.disagreement_over, std::optional(0.02));
+    QCOMPARE(read.views[1].quality.tolerance_cells, 1);
+    QVERIFY(!good("views:\n  - {name: a}").views[0].quality.asked());
+    QCOMPARE(good("views:\n  - {name: a, quality: {disagreement_over: 0}}").views[0].quality.tolerance_cells,
+             4);
+  }
+
   void whatIsWrongIsSaidWithItsPlace_data() {
     QTest::addColumn<QString>("yaml");
     QTest::addColumn<QString>("location");
@@ -83,6 +99,27 @@ class ReadSuiteTest : public QObject {
     row("a tolerance", "views:\n  - {name: a, tolerance: 300}", in_view, "0 to 255");
     row("half a tolerance", "views:\n  - {name: a, tolerance: 1.5}", in_view, "whole");
     row("a share", "views:\n  - {name: a, max_differing: -1}", in_view, "0 to 100");
+    row("a quality that is a number", "views:\n  - {name: a, quality: 0.5}", "Line 2, column 24: ", "limits");
+    row("a quality of nothing", "views:\n  - {name: a, quality: {}}", "Line 2, column 24: ", "or both");
+    row("an unknown key of quality", "views:\n  - name: a\n    quality:\n      closures: 1",
+        "Line 4, column 7: ", "\"closures\" of quality. Known: closures_over_m, disagreement_over");
+    row("a key of quality twice", "views:\n  - {name: a, quality: {closures_over_m: 1, closures-over-m: 2}}",
+        "Line 2, column 45: ", "twice");
+    row("a residual below zero", "views:\n  - {name: a, quality: {closures_over_m: -1}}",
+        "Line 2, column 42: ", "closures_over_m must be a number from 0 to 10000");
+    row("a residual that is no number", "views:\n  - {name: a, quality: {closures_over_m: nan}}",
+        "Line 2, column 42: ", "must be a number");
+    row("a share in percent", "views:\n  - {name: a, quality: {disagreement_over: 2}}",
+        "Line 2, column 44: ", "0 to 1.");
+    row("a tolerance of quality",
+        "views:\n  - {name: a, quality: {disagreement_over: 1, tolerance_cells: 1.5}}",
+        "Line 2, column 64: ", "tolerance_cells must be a whole number");
+    row("a large tolerance of quality",
+        "views:\n  - {name: a, quality: {disagreement_over: 1, tolerance_cells: 41}}",
+        "Line 2, column 64: ", "0 to 40");
+    row("a tolerance without its limit",
+        "views:\n  - {name: a, quality: {closures_over_m: 1, tolerance_cells: 1}}",
+        "Line 2, column 24: ", "without disagreement_over");
     row("a switch", "views:\n  - {name: a, raw: 1}", in_view, "true or false");
     row("a map for a text", "views:\n  - {name: a, size: {w: 1}}", in_view, "text or a number");
     row("an empty value", "views:\n  - {name: a, size: \"\"}", in_view, "no value");
