@@ -90,14 +90,14 @@ class TestWindowDisagreement : public QObject {
   }
 
   void withoutSubmapsItSaysSo() {
-    Desk desk({});
+    Desk desk(std::vector<map::SubmapEntry>{});
     QTRY_COMPARE(desk.said(), QStringLiteral("No submaps are on the map so far."));
     desk.window.leaveRobot();
     QTRY_VERIFY(desk.said().startsWith(QStringLiteral("Connect to a robot")));
   }
 
   void whatIsMissingOrHiddenIsSaid() {
-    Desk desk({});
+    Desk desk(std::vector<map::SubmapEntry>{});
     desk.bench.robot->missing = {{0, 2}};
     desk.bench.robot->list(contradicting());
     QTRY_VERIFY2(desk.said().contains(QStringLiteral("1 submap is still missing.")), qPrintable(desk.said()));
