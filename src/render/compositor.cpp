@@ -105,7 +105,7 @@ class WindowComposer {
       const PixelMean mean = meanOf(square, from, depth, 0);
       const std::size_t at = std::size_t(y) * std::size_t(grid_.width_px) + std::size_t(x);
       out_->intensity[at] = std::uint8_t(mean.intensity + 0.5);
-      out_->flags[at] = std::uint8_t(mean.flags);
+      out_->flags[at] = std::uint16_t(mean.flags);
     }
   }
 
@@ -127,7 +127,7 @@ class WindowComposer {
         const PixelMean part =
             meanOf({square.column + dx, square.row + dy, half}, candidates, depth + 1, split + 1);
         sum.intensity += part.intensity / 4;
-        sum.flags |= part.flags;
+        sum.flags = united(sum.flags | part.flags, std::max(sum.flags, part.flags));
       }
     }
     return sum;
@@ -135,16 +135,25 @@ class WindowComposer {
 
   PixelMean meanOfBlock(int samples) const {
     PixelMean sum{0, 0};
+    std::int32_t highest = 0;
     const SampleBlock& block = painter_.block();
     for (int j = 0; j < samples; ++j) {
       for (int i = 0; i < samples; ++i) {
         sum.intensity += double(block.intensity[j * kBlockEdge + i]);
         sum.flags |= block.flags[j * kBlockEdge + i];
+        highest = std::max(highest, block.flags[j * kBlockEdge + i]);
       }
     }
+    sum.flags = united(sum.flags, highest);
     sum.intensity /= double(samples) * samples;
     return sum;
   }
+
+  /// See united(). As short as they are, processors without AVX compare them quickly.
+  struct FlagSums {
+    alignas(32) std::int16_t all[kBlockEdge];
+    alignas(32) std::int16_t highest[kBlockEdge];
+  };
 
   // Reduces the block to the node's pixels, k x k samples each, inside the window.
   void storeNode(int x, int y, int edge, int k) {
@@ -153,38 +162,47 @@ class WindowComposer {
     const int j0 = std::max(0, -y), j1 = std::min(edge, grid_.height_px - y);
     const float share = 1.0F / float(k * k);
     alignas(32) float sums[kBlockEdge];
-    alignas(32) std::int32_t flags[kBlockEdge];
+    FlagSums flags;
     for (int j = j0; j < j1; ++j) {
       const std::size_t at = std::size_t(y + j) * std::size_t(grid_.width_px) + std::size_t(x + i0);
       std::uint8_t* const intensity_out = out_->intensity.data() + at;
-      std::uint8_t* const flags_out = out_->flags.data() + at;
+      std::uint16_t* const flags_out = out_->flags.data() + at;
       if (k == 1) {
         const float* const intensity_in = block.intensity + j * kBlockEdge + i0;
         const std::int32_t* const flags_in = block.flags + j * kBlockEdge + i0;
         for (int i = 0; i < i1 - i0; ++i) intensity_out[i] = std::uint8_t(int(intensity_in[i] + 0.5F));
-        for (int i = 0; i < i1 - i0; ++i) flags_out[i] = std::uint8_t(flags_in[i]);
+        for (int i = 0; i < i1 - i0; ++i) flags_out[i] = std::uint16_t(flags_in[i]);
         continue;
       }
       addRows(block, j * k, k, edge * k, sums, flags);
       for (int i = i0; i < i1; ++i) {
         float sum = 0;
-        std::int32_t any = 0;
-        for (int s = i * k; s < (i + 1) * k; ++s) sum += sums[s], any |= flags[s];
+        int all = 0, highest = 0;
+        for (int s = i * k; s < (i + 1) * k; ++s) {
+          sum += sums[s];
+          all |= flags.all[s];
+          highest = std::max<int>(highest, flags.highest[s]);
+        }
         intensity_out[i - i0] = std::uint8_t(int(sum * share + 0.5F));
-        flags_out[i - i0] = std::uint8_t(any);
+        flags_out[i - i0] = std::uint16_t(united(all, highest));
       }
     }
   }
 
   static void addRows(const SampleBlock& block, int first, int rows, int columns, float* sums,
-                      std::int32_t* flags) {
+                      FlagSums& flags) {
     std::copy_n(block.intensity + first * kBlockEdge, columns, sums);
-    std::copy_n(block.flags + first * kBlockEdge, columns, flags);
+    std::copy_n(block.flags + first * kBlockEdge, columns, flags.all);
+    std::copy_n(flags.all, columns, flags.highest);
     for (int r = first + 1; r < first + rows; ++r) {
       const float* const intensity_in = block.intensity + r * kBlockEdge;
       const std::int32_t* const flags_in = block.flags + r * kBlockEdge;
       for (int i = 0; i < columns; ++i) sums[i] += intensity_in[i];
-      for (int i = 0; i < columns; ++i) flags[i] |= flags_in[i];
+      for (int i = 0; i < columns; ++i) {
+        const auto in = std::int16_t(flags_in[i]);
+        flags.all[i] |= in;
+        flags.highest[i] = std::max(flags.highest[i], in);
+      }
     }
   }
 

@@ -13,23 +13,16 @@
 #include "geometry/rect.h"
 #include "map/submap.h"
 #include "render/dense_cache.h"
+#include "render/pixel_flags.h"
 
 namespace mapwright::render {
 
-/// Properties of a composed pixel (bits of Composition::flags).
-enum PixelFlag : std::uint8_t {
-  kObserved = 1,
-  kIncremental = 2,  // the topmost observed texture is_incremental
-  kActive = 4,       // ... is not frozen
-  kNearby = 8,       // ... is_nearby
-};
-
-/// A texture with its pose. `flags`: the PixelFlag bits (without kObserved) for its pixels.
+/// A texture with its pose. `flags`: its classes and the PixelFlag bits (without kObserved) for its pixels.
 struct PlacedTexture {
   map::SubmapId id;
   std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose2 world_from_texture;  // columns run along -y, rows along -x of this frame
-  std::uint8_t flags = 0;
+  std::uint16_t flags = 0;
 };
 
 /// The world rectangle that a placed texture can affect, including one cell of bilinear fade.
@@ -57,7 +50,7 @@ struct PixelGrid {
 struct Composition {
   int width_px = 0, height_px = 0;
   std::vector<std::uint8_t> intensity;  // 128 where nothing was observed
-  std::vector<std::uint8_t> flags;      // PixelFlag bits, 0 = not observed
+  std::vector<std::uint16_t> flags;     // render/pixel_flags.h, 0 = not observed
 };
 
 enum class Quality {
@@ -73,7 +66,7 @@ bool kernelAvailable(Kernel kernel);
 /// Composes `textures`, which must be in ascending (trajectory, index) order (they are painted in this
 /// order). Sampling is bilinear per texture, or nearest if a cell covers more than 4x4 pixels. A pixel larger
 /// than the finest cell under it is the area average of k*k samples no coarser than that cell; its flags are
-/// the union of its samples' flags. `cancelled` (may be null) is polled; when it becomes true the result is
+/// those of its samples, united(). `cancelled` (may be null) is polled; when it becomes true the result is
 /// empty (width 0). Runs on any thread, one core. A grid without pixels, or with a scale, origin or rotation
 /// that is not finite and positive, gives an empty result; a texture without cells, or with an invalid pose,
 /// draws nothing.

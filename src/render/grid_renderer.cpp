@@ -29,7 +29,8 @@ QImage paint(const Composition& pixels, const GridPalette& palette) {
   for (int row = 0; row < pixels.height_px; ++row) {
     auto* line = reinterpret_cast<std::uint32_t*>(image.scanLine(row));
     for (int column = 0; column < pixels.width_px; ++column, ++at) {
-      const std::uint8_t flags = pixels.flags[at], byte = pixels.intensity[at];
+      const std::uint16_t flags = pixels.flags[at];
+      const std::uint8_t byte = pixels.intensity[at];
       const std::uint32_t color = !flags ? 0 : (flags & kKnownMean) ? between(palette, byte) : palette[byte];
       line[column] = color;
       all &= color;

@@ -13,7 +13,7 @@ constexpr int kMostTilesAcross = 16;  // a view tile needs at most 8 at the leve
 struct PatchRaster {
   int width = 0, height = 0;
   std::vector<std::uint16_t> intensity;
-  std::vector<std::uint8_t> flags;
+  std::vector<std::uint16_t> flags;
 };
 
 PatchRaster joined(const PyramidPatch& patch) {
@@ -41,7 +41,7 @@ PatchRaster joined(const PyramidPatch& patch) {
 // Sum of n x n samples.
 struct SampleSum {
   std::uint32_t intensity = 0;
-  std::uint8_t flags = 0;
+  std::int32_t all_flags = 0, highest_flags = 0, last_flags = 0;  // united() when all are in
 };
 
 constexpr int kBits = 8;  // fraction of a raster coordinate
@@ -58,7 +58,12 @@ void addSample(const PatchRaster& raster, std::int64_t x, std::int64_t y, Sample
   const std::uint32_t upper = (top[0] * (256 - fx) + top[1] * fx) >> 8;
   const std::uint32_t lower = (bottom[0] * (256 - fx) + bottom[1] * fx) >> 8;
   sum.intensity += (upper * (256 - fy) + lower * fy) >> 8;
-  sum.flags |= raster.flags[at + (fx >= 128 ? 1 : 0) + (fy >= 128 ? std::size_t(raster.width) : 0)];
+  const std::int32_t flags =
+      raster.flags[at + (fx >= 128 ? 1 : 0) + (fy >= 128 ? std::size_t(raster.width) : 0)];
+  if (flags == sum.last_flags) return;  // as nearly always
+  sum.last_flags = flags;
+  sum.all_flags |= flags;
+  sum.highest_flags = std::max(sum.highest_flags, flags);
 }
 
 }  // namespace
@@ -73,7 +78,7 @@ PixelGrid gridOf(const PyramidKey& key, double base_m_per_px) {
 }
 
 PyramidTilePtr pyramidTileOf(const Composition& pixels) {
-  if (std::all_of(pixels.flags.begin(), pixels.flags.end(), [](std::uint8_t f) { return f == 0; }))
+  if (std::all_of(pixels.flags.begin(), pixels.flags.end(), [](std::uint16_t f) { return f == 0; }))
     return nullptr;
   auto tile = std::make_shared<PyramidTile>();
   tile->intensity.reserve(pixels.intensity.size());
@@ -95,16 +100,18 @@ PyramidTilePtr halved(const std::array<PyramidTilePtr, 4>& parts) {
     for (std::size_t y = 0; y < kHalf; ++y) {
       const std::uint16_t* const top = parts[p]->intensity.data() + 2 * y * kTileEdge;
       const std::uint16_t* const bottom = top + kTileEdge;
-      const std::uint8_t* const top_flags = parts[p]->flags.data() + 2 * y * kTileEdge;
-      const std::uint8_t* const bottom_flags = top_flags + kTileEdge;
+      const std::uint16_t* const top_flags = parts[p]->flags.data() + 2 * y * kTileEdge;
+      const std::uint16_t* const bottom_flags = top_flags + kTileEdge;
       std::uint16_t* const out = tile->intensity.data() + (y0 + y) * kTileEdge + x0;
-      std::uint8_t* const out_flags = tile->flags.data() + (y0 + y) * kTileEdge + x0;
+      std::uint16_t* const out_flags = tile->flags.data() + (y0 + y) * kTileEdge + x0;
       for (std::size_t x = 0; x < kHalf; ++x) {
         const std::uint32_t sum =
             std::uint32_t(top[2 * x]) + top[2 * x + 1] + bottom[2 * x] + bottom[2 * x + 1];
         out[x] = std::uint16_t((sum + 2) / 4);
-        out_flags[x] = std::uint8_t(top_flags[2 * x] | top_flags[2 * x + 1] | bottom_flags[2 * x] |
-                                    bottom_flags[2 * x + 1]);
+        const auto a = std::int16_t(top_flags[2 * x]), b = std::int16_t(top_flags[2 * x + 1]);
+        const auto c = std::int16_t(bottom_flags[2 * x]), d = std::int16_t(bottom_flags[2 * x + 1]);
+        const auto all = std::int16_t(a | b | c | d);
+        out_flags[x] = std::uint16_t(united(all, std::max(std::max(a, b), std::max(c, d))));
       }
     }
   }
@@ -167,7 +174,7 @@ Composition resampled(const PixelGrid& grid, const PyramidPatch& patch, const st
         }
       }
       out.intensity.push_back(std::uint8_t((sum.intensity + share / 2) / share));
-      out.flags.push_back(sum.flags);
+      out.flags.push_back(std::uint16_t(united(sum.all_flags, sum.highest_flags)));
     }
   }
   out.width_px = grid.width_px;

@@ -25,8 +25,8 @@ struct PyramidKey {
 /// kTileEdge x kTileEdge pixels. Intensities have 8 fraction bits so that repeated halving does not drift.
 struct PyramidTile {
   std::vector<std::uint16_t> intensity;  // 256 * (0..255)
-  std::vector<std::uint8_t> flags;
-  std::size_t bytes() const { return intensity.size() * sizeof(std::uint16_t) + flags.size(); }
+  std::vector<std::uint16_t> flags;
+  std::size_t bytes() const { return (intensity.size() + flags.size()) * sizeof(std::uint16_t); }
 };
 using PyramidTilePtr = std::shared_ptr<const PyramidTile>;  // null: nothing observed
 
@@ -34,7 +34,7 @@ PixelGrid gridOf(const PyramidKey& key, double base_m_per_px);
 
 /// The tile for a composition of gridOf(); null if nothing was observed.
 PyramidTilePtr pyramidTileOf(const Composition& pixels);
-/// Halves four tiles: top left, top right, bottom left, bottom right. 2x2 means, flags united. Null if all
+/// Halves four tiles: top left, top right, bottom left, bottom right. 2x2 means, flags united(). Null if all
 /// are.
 PyramidTilePtr halved(const std::array<PyramidTilePtr, 4>& parts);
 
@@ -50,7 +50,7 @@ struct PyramidPatch {
 PyramidPatch patchFor(const PixelGrid& grid, int level, double base_m_per_px);
 
 /// The pixels of `grid`, each the mean of the patch area under it (n x n bilinear samples no further apart
-/// than the patch's pixels), flags united. Empty (width 0) if cancelled.
+/// than the patch's pixels), flags united(). Empty (width 0) if cancelled.
 Composition resampled(const PixelGrid& grid, const PyramidPatch& patch, const std::atomic<bool>& cancelled);
 
 }  // namespace mapwright::render

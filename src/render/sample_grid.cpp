@@ -212,7 +212,7 @@ void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const Gr
     sampleBlocks(grid, to_cell, cancelled, [&](const Eigen::Vector2d& centre, std::size_t at) {
       if (!mean(centre, byte, known)) return;
       pixels.intensity[at] = byte;
-      pixels.flags[at] = std::uint8_t(kObserved | (known && !meaning.known[byte] ? kKnownMean : 0));
+      pixels.flags[at] = std::uint16_t(kObserved | (known && !meaning.known[byte] ? kKnownMean : 0));
     });
     return;
   }

@@ -13,7 +13,9 @@ QTransform viewportFromGrid(const PixelGrid& grid, const geometry::ViewTransform
   return {c, -s, s, c, origin.x(), origin.y()};
 }
 
-std::size_t bytesOf(const Composition& pixels) { return pixels.intensity.size() + pixels.flags.size(); }
+std::size_t bytesOf(const Composition& pixels) {
+  return pixels.intensity.size() + pixels.flags.size() * sizeof(pixels.flags[0]);
+}
 
 void StandIns::push(std::vector<Picture> pictures, const geometry::ViewTransform& view,
                     std::uint32_t background) {

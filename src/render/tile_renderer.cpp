@@ -161,7 +161,7 @@ TileWorkers::Ticket TileRenderer::startWork(const TileKey& key, const ViewTile& 
        colors = color_table_](const std::atomic<bool>& cancelled) -> TileResult {
         auto pixels = std::make_shared<const Composition>(compose(cancelled));
         const bool anything = std::any_of(pixels->flags.begin(), pixels->flags.end(),
-                                          [](std::uint8_t flags) { return flags != 0; });
+                                          [](std::uint16_t flags) { return flags != 0; });
         if (!anything) return {};
         QImage image = colors->paint(*pixels);
         return {std::move(pixels), std::move(image), nullptr};

@@ -67,7 +67,7 @@ ReferencePixel composedSample(const Eigen::Vector2d& world, double scale_m_per_p
     pixel.intensity = std::min(255.0, s.value + pixel.intensity * (255 - s.alpha) / 255);
     if (!s.certain) pixel.intensity_certain = false;
     if (s.perhaps_observed != s.surely_observed) pixel.flags_certain = false;
-    if (s.observed) pixel.flags = std::uint8_t(texture.placed.flags | render::kObserved);
+    if (s.observed) pixel.flags = std::uint16_t(texture.placed.flags | render::kObserved);
   }
   return pixel;
 }
@@ -94,7 +94,7 @@ cells::CellPair PlainTexture::at(int column, int row) const {
 }
 
 PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<cells::CellPair> cells,
-                          geometry::Pose2 pose, int index, std::uint8_t flags) {
+                          geometry::Pose2 pose, int index, std::uint16_t flags) {
   PlainTexture plain{
       width, height, resolution_m, std::move(cells), {}, std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)};
   plain.placed.id = {0, index};
@@ -133,7 +133,9 @@ std::vector<ReferencePixel> referenceComposition(const render::PixelGrid& grid,
           const Eigen::Vector2d world = grid.worldFromPixel(column + (i + 0.5) / k, row + (j + 0.5) / k);
           const ReferencePixel sample = composedSample(world, grid.scale_m_per_px, textures);
           pixel.intensity += sample.intensity / (double(k) * k);
-          pixel.flags |= sample.flags;
+          // The properties of all samples, the classes of the one with the greatest.
+          const int classes = std::max(pixel.flags >> 4, sample.flags >> 4);
+          pixel.flags = std::uint16_t(classes << 4 | ((pixel.flags | sample.flags) & 15));
           pixel.intensity_certain = pixel.intensity_certain && sample.intensity_certain;
           pixel.flags_certain = pixel.flags_certain && sample.flags_certain;
         }
@@ -176,7 +178,7 @@ int flagsAt(const render::Composition& picture, int column, int row) {
   return picture.flags[std::size_t(row) * std::size_t(picture.width_px) + std::size_t(column)];
 }
 
-PlainTexture uniformTexture(cells::CellPair cell, int index, std::uint8_t flags, double resolution_m) {
+PlainTexture uniformTexture(cells::CellPair cell, int index, std::uint16_t flags, double resolution_m) {
   return plainTexture(20, 20, resolution_m, std::vector<cells::CellPair>(400, cell),
                       {10 * resolution_m, 10 * resolution_m, 0}, index, flags);
 }

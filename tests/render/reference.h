@@ -24,7 +24,7 @@ struct PlainTexture {
 
 /// Builds the real texture from the cells. Flags and id go into `placed`.
 PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<cells::CellPair> cells,
-                          geometry::Pose2 pose, int index = 0, std::uint8_t flags = 0);
+                          geometry::Pose2 pose, int index = 0, std::uint16_t flags = 0);
 
 enum class Content {
   Folding,    // value and alpha exclude each other: rooms with walls, about two fifths known
@@ -35,7 +35,7 @@ std::vector<cells::CellPair> randomCells(int width, int height, Content content,
 
 struct ReferencePixel {
   double intensity = 128;
-  std::uint8_t flags = 0;
+  std::uint16_t flags = 0;
   bool flags_certain = true;      // not decided by a tap whose weight is next to nothing
   bool intensity_certain = true;  // not next to the jump between two nearest cells
 };
@@ -45,7 +45,7 @@ std::vector<ReferencePixel> referenceComposition(const render::PixelGrid& grid,
                                                  const std::vector<PlainTexture>& textures);
 
 /// 20 x 20 like cells around the world origin.
-PlainTexture uniformTexture(cells::CellPair cell, int index = 0, std::uint8_t flags = 0,
+PlainTexture uniformTexture(cells::CellPair cell, int index = 0, std::uint16_t flags = 0,
                             double resolution_m = 1.0);
 
 /// A grid whose middle is at `centre`.

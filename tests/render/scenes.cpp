@@ -16,13 +16,15 @@ std::vector<render::PlacedTexture> field(int count, double across_m, unsigned se
     const double yaw = angle(random);
     const Eigen::Vector2d middle = geometry::Pose2{0, 0, yaw}.apply({-2, -2.5});
     const geometry::Pose2 pose{place(random) - middle.x(), place(random) - middle.y(), yaw};
-    placed.push_back(plainTexture(100, 80, 0.05, cells, pose, i, std::uint8_t((i % 8) << 1)).placed);
+    placed.push_back(
+        plainTexture(100, 80, 0.05, cells, pose, i, std::uint16_t(((i * 37) % 1000) << 4 | (i % 8) << 1))
+            .placed);
   }
   return placed;
 }
 
 render::PlacedTexture square(int index, double x, double y, double edge_m, cells::CellPair cell,
-                             std::uint8_t flags) {
+                             std::uint16_t flags) {
   const int cells = int(std::lround(edge_m / 0.05));
   return plainTexture(cells, cells, 0.05,
                       std::vector<cells::CellPair>(std::size_t(cells) * std::size_t(cells), cell),

@@ -15,7 +15,7 @@ std::vector<render::PlacedTexture> field(int count, double across_m, unsigned se
 
 /// One square texture of `edge_m` metres, all cells alike, its middle at (x, y).
 render::PlacedTexture square(int index, double x, double y, double edge_m, cells::CellPair cell,
-                             std::uint8_t flags = 0);
+                             std::uint16_t flags = 0);
 
 geometry::ViewTransform viewAt(double x, double y, double scale, int width, int height, double rotation = 0);
 render::PixelGrid gridOf(const geometry::ViewTransform& view);

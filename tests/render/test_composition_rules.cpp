@@ -49,6 +49,7 @@ class TestCompositionRules : public QObject {
   void hugePixelsAverageEverythingInThem();
   void topmostObservedTextureGivesTheFlags();
   void reducedPixelsUniteFlags();
+  void reducedPixelsHaveTheClassesOfTheLatest();
   void finerTexturesAreSampledFinely();
 };
 
@@ -223,6 +224,20 @@ void TestCompositionRules::reducedPixelsUniteFlags() {
   const PixelGrid grid = gridAround({0, 0}, 8.0, 0, 1, 1);
   const Composition picture = composeAll(grid, {left, right});
   QCOMPARE(flagsAt(picture, 0, 0), int(render::kObserved | render::kIncremental | render::kNearby));
+}
+
+void TestCompositionRules::reducedPixelsHaveTheClassesOfTheLatest() {
+  const auto half = [](double x, int index, const render::PixelClasses& classes) {
+    return testing::plainTexture(10, 10, 1.0, std::vector<cells::CellPair>(100, {10, 0}), {x, 5, 0}, index,
+                                 std::uint16_t(render::flagsOf(classes) | render::kActive));
+  };
+  const render::PixelClasses earlier{1, 7, 8}, later{2, 0, 3};
+  for (const double scale : {1.0, 8.0, 300.0}) {
+    const PixelGrid grid = gridAround({0, 0}, scale, 0, 1, 1);
+    const int expected = render::kObserved | render::kActive | render::flagsOf(later);
+    QCOMPARE(flagsAt(composeAll(grid, {half(0, 0, earlier), half(10, 1, later)}), 0, 0), expected);
+    QCOMPARE(flagsAt(composeAll(grid, {half(10, 0, earlier), half(0, 1, later)}), 0, 0), expected);
+  }
 }
 
 void TestCompositionRules::finerTexturesAreSampledFinely() {

@@ -42,7 +42,7 @@ std::vector<PlainTexture> scattered(int count, Content content, const Eigen::Vec
                                around.y() + offset(random) - middle.y(), yaw};
     textures.push_back(testing::plainTexture(width, height, resolution_m,
                                              testing::randomCells(width, height, content, random), pose, i,
-                                             std::uint8_t((random() % 8) << 1)));
+                                             std::uint16_t(random() & 0x3ffe)));
   }
   return textures;
 }
@@ -243,7 +243,7 @@ void TestCompositor::emptyInputsGiveUnknown() {
   const Composition picture = composeAll(gridAround({0, 0}, 1, 0, 3, 2), {});
   QCOMPARE(picture.width_px, 3);
   QCOMPARE(picture.intensity, std::vector<std::uint8_t>(6, 128));
-  QCOMPARE(picture.flags, std::vector<std::uint8_t>(6, 0));
+  QCOMPARE(picture.flags, std::vector<std::uint16_t>(6, 0));
   QCOMPARE(composeAll(gridAround({0, 0}, 1, 0, 0, 5), {}).width_px, 0);
 }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <map>
+#include <tuple>
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -49,6 +51,8 @@ class TestTileRenderer : public QObject {
   void noHolesWhileContentChanges();
   void coloursChangeWithoutComposing();
   void colourModes();
+  void classesTintThePicture();
+  void classesSurviveHalving();
   void readsTheIntensityUnderAPoint();
   void signalsWhenItSettles();
   void repaintsAreAskedForOncePerTurn();
@@ -239,6 +243,57 @@ void TestTileRenderer::colourModes() {
   // 35 % of #15181c over #778899.
   QCOMPARE(colorAt(6), qRgb(0x55, 0x61, 0x6d));
   QCOMPARE(colorAt(3), QRgb(colors.unknown));
+}
+
+void TestTileRenderer::classesTintThePicture() {
+  TileRenderer renderer({});
+  const auto view = viewAt(0, 0, 0.05, 400, 100);
+  renderer.setView(view);
+  const auto classed = [](int index, double x, cells::CellPair cell, const render::PixelClasses& classes) {
+    return square(index, x, 0, 4, cell, std::uint16_t(render::flagsOf(classes) | render::kActive));
+  };
+  renderer.upsert({classed(0, -6, {127, 0}, {1, 7, 3}), classed(1, 0, {127, 0}, {7, 2, 8}),
+                   classed(2, 6, {0, 255}, {3, 1, 1})});
+  WAIT_UNTIL_SETTLED(renderer);
+  const auto composed = renderer.counts().composed;
+  const MapColors colors;
+  const auto colorAt = [&](double x) {
+    return paintedPicture(renderer, view).pixel(int(200 + x / 0.05), 50);
+  };
+  const auto of = [](ColorMode mode, int cls) { return QRgb(render::classColors(mode)[std::size_t(cls)]); };
+  const std::tuple<ColorMode, QRgb, QRgb> expected[] = {
+      {ColorMode::Trajectory, of(ColorMode::Trajectory, 1), of(ColorMode::Trajectory, 7)},
+      {ColorMode::Age, of(ColorMode::Age, 7), of(ColorMode::Age, 2)},
+      {ColorMode::Version, of(ColorMode::Version, 3), render::kUnknownVersionColor},
+      {ColorMode::Active, colors.free, colors.free}};
+  for (const auto& [mode, left, middle] : expected) {
+    renderer.setColors(colors, mode);
+    QVERIFY(renderer.settled());
+    QCOMPARE(colorAt(-6), left);
+    QCOMPARE(colorAt(0), middle);
+    QCOMPARE(colorAt(3), QRgb(colors.unknown));
+    QCOMPARE(colorAt(6), QRgb(colors.occupied));
+  }
+  QCOMPARE(renderer.counts().composed, composed);
+}
+
+void TestTileRenderer::classesSurviveHalving() {
+  // Left and right of x = 0 at every level of the pyramid; where both are in a pixel the later one counts.
+  TileRenderer renderer({});
+  const auto early = render::flagsOf({2, 7, 1}), late = render::flagsOf({3, 1, 1});
+  renderer.upsert({square(0, -10, 0, 20, {100, 0}, early), square(1, 10, 0, 20, {100, 0}, late)});
+  for (const double scale : {0.05, 0.2, 0.41, 0.8, 3.3}) {
+    renderer.setView(viewAt(0.33, 0, scale, 300, 60, 0.2));
+    WAIT_UNTIL_SETTLED(renderer);
+    const Composition picture = renderer.composition();
+    std::map<int, int> seen;
+    for (const auto flags : picture.flags) {
+      if (flags != 0) ++seen[flags & ~render::kObserved];
+    }
+    QCOMPARE(seen.size(), std::size_t(2));
+    QVERIFY(seen[early] > 2 && seen[late] > 2);
+    QVERIFY(seen[late] >= seen[early]);
+  }
 }
 
 void TestTileRenderer::readsTheIntensityUnderAPoint() {
