@@ -277,7 +277,9 @@ void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
       help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW in metres and radians")));
   command->add_option("--slice", args.slice, help(Text::tr("Which slice of each submap to draw")))
       ->capture_default_str();
-  command->add_option("--colors", args.colors, help(Text::tr("normal, incremental or active")))
+  command
+      ->add_option("--colors", args.colors,
+                   help(Text::tr("normal, incremental, active, trajectory, age or version")))
       ->capture_default_str();
   command->add_option("--theme", args.theme, help(Text::tr("light or dark")))->capture_default_str();
   command->add_flag("--raw", args.raw,
@@ -390,15 +392,13 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
   if (!args.layers.empty() && args.layers != "all") options.named = *layers;
   if (args.slice < 0) return wrong(Text::tr("--slice must be 0 or more."));
   options.slice = args.slice;
-  if (args.colors == "normal")
-    options.colors = render::ColorMode::Normal;
-  else if (args.colors == "incremental")
-    options.colors = render::ColorMode::Incremental;
-  else if (args.colors == "active")
-    options.colors = render::ColorMode::Active;
-  else
+  const auto colors = render::colorModeFrom(args.colors);
+  if (!colors) {
     return wrong(
-        Text::tr("--colors must be normal, incremental or active, not \"%1\".").arg(text(args.colors)));
+        Text::tr("--colors must be normal, incremental, active, trajectory, age or version, not \"%1\".")
+            .arg(text(args.colors)));
+  }
+  options.colors = *colors;
   if (args.theme != "light" && args.theme != "dark") {
     return wrong(Text::tr("--theme must be light or dark, not \"%1\".").arg(text(args.theme)));
   }

@@ -53,6 +53,20 @@ class SnapshotOptionsTest : public QObject {
     QVERIFY(options->dark && options->colors == render::ColorMode::Active);
   }
 
+  void everyColourHasAName() {
+    const char* const names[] = {"normal", "incremental", "active", "trajectory", "age", "version"};
+    int mode = 0;
+    for (const char* name : names) {
+      SnapshotArguments w = words();
+      w.colors = name;
+      const auto options = parseSnapshotOptions(w);
+      QVERIFY(options && options->colors == render::ColorMode(mode++));
+    }
+    SnapshotArguments w = words();
+    w.colors = "rainbow";
+    QVERIFY(parseSnapshotOptions(w).error().contains(QLatin1String("trajectory, age or version")));
+  }
+
   void aMapMeansTheWholeMode() {
     SnapshotArguments w = words();
     w.map = "1764059676131";

@@ -156,6 +156,45 @@ class TestMapColors : public QObject {
     }
   }
 
+  void submapsOfOtherTrajectoriesAreToldApart() {
+    const auto colors = render::classColors(render::ColorMode::Trajectory);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      for (std::size_t k = i + 1; k < colors.size(); ++k)
+        atLeast(kApart, {QStringLiteral("trajectory"), QColor(colors[i])},
+                {QStringLiteral("trajectory"), QColor(colors[k])});
+    }
+  }
+
+  void theRampOfSubmapsGetsLighter() {
+    const auto ramp = render::classColors(render::ColorMode::Age);
+    const QColor unknown(render::kUnknownVersionColor);
+    for (std::size_t i = 0; i < ramp.size(); ++i) {
+      atLeast(kApart, {QStringLiteral("step"), QColor(ramp[i])}, {QStringLiteral("no version"), unknown});
+      if (i == 0) continue;
+      atLeast(4, {QStringLiteral("step"), QColor(ramp[i - 1])}, {QStringLiteral("step"), QColor(ramp[i])});
+      for (const Eyes eyes : test::kAllEyes)
+        QVERIFY(test::labOf(QColor(ramp[i]), eyes).l > test::labOf(QColor(ramp[i - 1]), eyes).l);
+    }
+    atLeast(3 * kApart, {QStringLiteral("first"), QColor(ramp.front())},
+            {QStringLiteral("last"), QColor(ramp.back())});
+  }
+
+  void classesStandOutFromTheGround_data() { themes(); }
+  void classesStandOutFromTheGround() {
+    QFETCH(bool, dark);
+    const MapTheme theme = themeOf(dark);
+    std::vector<std::uint32_t> colors{render::kUnknownVersionColor};
+    for (const auto mode : {render::ColorMode::Trajectory, render::ColorMode::Age}) {
+      for (const std::uint32_t color : render::classColors(mode)) colors.push_back(color);
+    }
+    for (const std::uint32_t color : colors) {
+      atLeast(kFromTrack, {QStringLiteral("class"), QColor(color)},
+              {QStringLiteral("unknown"), QColor(theme.map.unknown)});
+      atLeast(3 * kFromGround, {QStringLiteral("class"), QColor(color)},
+              {QStringLiteral("occupied"), QColor(theme.map.occupied)});
+    }
+  }
+
   void lidarPointsAreNotTakenForWhatIsNew_data() { themes(); }
   void lidarPointsAreNotTakenForWhatIsNew() {
     QFETCH(bool, dark);

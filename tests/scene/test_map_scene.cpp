@@ -93,6 +93,67 @@ class MapSceneTest : public QObject {
     QVERIFY(!scene_->occupancyAt({-0.2, 0.1}));
   }
 
+  void coloursByClassAskForNothingAndComposeNothing() {
+    showOneSubmap();
+    const auto composed = scene_->renderer().counts().composed;
+    using render::ColorMode;
+    const auto colorOf = [](ColorMode mode, int of) { return render::classColors(mode)[std::size_t(of)]; };
+    for (const auto& [mode, expected] : {std::pair(ColorMode::Trajectory, colorOf(ColorMode::Trajectory, 0)),
+                                         std::pair(ColorMode::Age, colorOf(ColorMode::Age, 0)),
+                                         std::pair(ColorMode::Version, colorOf(ColorMode::Version, 0)),
+                                         std::pair(ColorMode::Normal, std::uint32_t(0xffffffff))}) {
+      scene_->setColorMode(mode);
+      QVERIFY(scene_->settled());
+      QCOMPARE(painted().pixel(60, 40), expected);
+      QCOMPARE(painted().pixel(40, 40), kUnknown);
+    }
+    QCOMPARE(scene_->renderer().counts().composed, composed);
+    QVERIFY(robot_->open.empty());
+  }
+
+  void theLegendNamesTheTrajectories() {
+    scene_->setColorMode(render::ColorMode::Trajectory);
+    const auto texts = [this] {
+      QStringList all;
+      for (const auto& section : scene_->legend(1)) {
+        for (const auto& row : section.rows) all << row.text;
+      }
+      return all.join(QLatin1Char(';'));
+    };
+    QCOMPARE(texts(), QStringLiteral("Occupied;Unknown"));
+    QSignalSpy changed(scene_.get(), &MapScene::layersChanged);
+    auto second = entry(0, 1, 0.2, 0.2), third = second;
+    second.id.trajectory = 3;
+    third.id.trajectory = 11;
+    robot_->say(listOf({entry(0, 1, 0.2, 0.2), second, third}));
+    QTRY_COMPARE(texts(), QStringLiteral("Trajectory 0;Trajectories 3, 11;Occupied;Unknown"));
+    QVERIFY(!changed.isEmpty());
+    scene_->setColorMode(render::ColorMode::Version);
+    QCOMPARE(texts(), QStringLiteral(";Version unknown;Occupied;Unknown"));
+  }
+
+  void aNewSubmapRecoloursOthersOnlyWhenTheirTrajectoryHasDoubled() {
+    std::vector<map::SubmapEntry> entries{entry(4, 1, 0.2, 0.2)};
+    robot_->say(listOf(entries));
+    robot_->answer(Outcome::Ok, 0, 127);
+    scene_->setColorMode(render::ColorMode::Age);
+    QTRY_VERIFY(session_->counts().shown == 1 && scene_->renderer().settled());
+    const auto colorOf = [](int age) {
+      return render::classColors(render::ColorMode::Age)[std::size_t(age)];
+    };
+    const auto composed = scene_->renderer().counts().composed;
+    for (int newest = 5; newest < 8; ++newest) {
+      entries.push_back(entry(newest, 1, 100, 100));
+      robot_->say(listOf(entries));
+      QTRY_VERIFY(scene_->renderer().settled());
+      QCOMPARE(painted().pixel(60, 40), colorOf(4));
+    }
+    QCOMPARE(scene_->renderer().counts().composed, composed);
+    entries.push_back(entry(8, 1, 100, 100));
+    robot_->say(listOf(entries));
+    QTRY_COMPARE(painted().pixel(60, 40), colorOf(2));
+  }
+
   void aMovedPoseMovesThePicture() {
     showOneSubmap();
     robot_->say(listOf({entry(0, 1, 0.2, -0.1)}));

@@ -201,7 +201,7 @@ class TestWindowMain : public QObject {
       bench.action("themeDark")->trigger();
       window.mapScene()->setLayerVisible(scene::Layer::Grid, false);
       window.mapScene()->setLayerOpacity(scene::Layer::Trail, 0.5);
-      part<LayersController>(window)->setColorMode(render::ColorMode::Active);
+      part<LayersController>(window)->setColorMode(render::ColorMode::Version);
       QVERIFY(!window.connectTo(kAddress));
       bench.key(Qt::Key_M);
       window.close();
@@ -212,7 +212,7 @@ class TestWindowMain : public QObject {
     QCOMPARE(part<AppearanceController>(again)->theme(), ThemeChoice::Dark);
     QVERIFY(!again.mapScene()->layerVisible(scene::Layer::Grid));
     QCOMPARE(again.mapScene()->layerOpacity(scene::Layer::Trail), 0.5);
-    QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Active);
+    QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Version);
     QCOMPARE(again.view()->tool()->name(), QStringLiteral("measure"));
     bench.action("resetLayout")->trigger();
     QVERIFY(part<LayersDock>(again)->isVisible());
@@ -297,10 +297,10 @@ class TestWindowMain : public QObject {
         "connect", "demo", "openFile", "quit", "about", "diagnostics", "manual", "palette", "shortcuts",
         // How maps are to look, and how the window does: remembered, whoever comes next.
         "modeSubmaps", "modeWhole", "modeBoth", "grid", "showIds", "showOutlines", "colorsNormal",
-        "colorsIncremental", "colorsActive", "layersNavigation", "layersMapping", "layersMapOnly",
-        "layersAll", "saveLayerPreset", "furniture", "pan", "replayReadAll", "fullScreen", "resetLayout",
-        "focusMap", "nextPane", "previousPane", "layoutOperate", "layoutInspect", "layoutReplay",
-        "showRecordings"};
+        "colorsIncremental", "colorsActive", "colorsTrajectory", "colorsAge", "colorsVersion",
+        "layersNavigation", "layersMapping", "layersMapOnly", "layersAll", "saveLayerPreset", "furniture",
+        "pan", "replayReadAll", "fullScreen", "resetLayout", "focusMap", "nextPane", "previousPane",
+        "layoutOperate", "layoutInspect", "layoutReplay", "showRecordings"};
     Bench bench;
     MainWindow& window = bench.open();
     const auto check = [&](const char* when) {

@@ -169,7 +169,7 @@ class TestWindowParts : public QObject {
     QCOMPARE(menuCalled(*menuCalled(bar, "&View"), "Panels")->actions().size(),
              bench.window->findChildren<QDockWidget*>().size());
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Colours of submaps")->actions()),
-             words("colorsNormal colorsIncremental colorsActive"));
+             words("colorsNormal colorsIncremental colorsActive colorsTrajectory colorsAge colorsVersion"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Theme")->actions()),
              words("themeLight themeDark themeSystem"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),

@@ -21,22 +21,6 @@
 
 namespace mapwright::window {
 
-namespace {
-
-QString colorModeName(render::ColorMode mode) {
-  switch (mode) {
-    case render::ColorMode::Incremental:
-      return QStringLiteral("incremental");
-    case render::ColorMode::Active:
-      return QStringLiteral("active");
-    case render::ColorMode::Normal:
-      break;
-  }
-  return QStringLiteral("normal");
-}
-
-}  // namespace
-
 LayersController::LayersController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
@@ -162,6 +146,12 @@ void LayersController::addColors() {
          tr("Incremental submaps in blue and red"));
   colors("colorsActive", tr("Dim frozen submaps"), render::ColorMode::Active, 30,
          tr("Only active submaps at full strength"));
+  colors("colorsTrajectory", tr("Colour by trajectory"), render::ColorMode::Trajectory, 40,
+         tr("Each trajectory in a colour of its own"));
+  colors("colorsAge", tr("Colour by age"), render::ColorMode::Age, 50,
+         tr("Older and newer submaps of each trajectory"));
+  colors("colorsVersion", tr("Colour by version"), render::ColorMode::Version, 60,
+         tr("Submaps with few scans and with many"));
 }
 
 void LayersController::setMode(ViewMode mode) {
@@ -203,16 +193,14 @@ void LayersController::sayColors(session::Session* session) {
 void LayersController::recall(const QSettings& settings) {
   restoreLayers(context_.scene, settings);
   dock_->restoreFolds(settings);
-  const QString colors = settings.value(QStringLiteral("view/colors")).toString();
-  for (const auto mode :
-       {render::ColorMode::Normal, render::ColorMode::Incremental, render::ColorMode::Active}) {
-    if (colors == colorModeName(mode) || mode == render::ColorMode::Normal) setColorMode(mode);
-  }
+  const std::string colors = settings.value(QStringLiteral("view/colors")).toString().toStdString();
+  setColorMode(render::colorModeFrom(colors).value_or(render::ColorMode::Normal));
   sync();
 }
 
 void LayersController::save(QSettings& settings) {
-  settings.setValue(QStringLiteral("view/colors"), colorModeName(context_.scene.colorMode()));
+  const std::string_view colors = render::nameOf(context_.scene.colorMode());
+  settings.setValue(QStringLiteral("view/colors"), QLatin1String(colors.data(), qsizetype(colors.size())));
   dock_->saveFolds(settings);
   // Both are taken back, and would have to be now.
   if (!dock_->solo() && !mode_before_) saveLayers(context_.scene, settings);

@@ -7,15 +7,17 @@
 
 #include "scene/layer_objects.h"
 #include "scene/scene_items.h"
+#include "scene/submap_classes.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 
 namespace mapwright::scene {
 namespace {
 
-std::uint8_t pixelFlags(const map::SubmapEntry& entry) {
-  return std::uint8_t((entry.is_incremental ? render::kIncremental : 0) |
-                      (entry.is_frozen ? 0 : render::kActive) | (entry.is_nearby ? render::kNearby : 0));
+std::uint16_t pixelFlags(const submap::SubmapStore& submaps, const map::SubmapEntry& entry) {
+  return std::uint16_t((entry.is_incremental ? render::kIncremental : 0) |
+                       (entry.is_frozen ? 0 : render::kActive) | (entry.is_nearby ? render::kNearby : 0) |
+                       render::flagsOf(classesOf(submaps, entry.id)));
 }
 
 std::array<Eigen::Vector2d, 4> cornersOf(const submap::Placement& placement) {
@@ -162,6 +164,7 @@ void MapScene::setSession(session::Session* session) {
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &MapScene::syncPlace);
     connect(&session_->poseGraph(), &session::PoseGraphSlot::changed, this, &MapScene::syncClosures);
     connect(session_, &Session::listChanged, this, &MapScene::syncPlace);
+    connect(session_, &Session::listChanged, this, &MapScene::syncAges);
     if (items_->asks) session_->setView(view_.visibleWorld(), view_.center_m);
     sendWants();
   }
@@ -181,6 +184,24 @@ void MapScene::syncAll() {
   syncPlaced(ids);
   syncMarks({.all = true, .ids = {}});
   repaintAll();
+}
+
+/// The classes of a trajectory's submaps change when it has doubled.
+void MapScene::syncAges() {
+  const submap::SubmapStore& submaps = session_->submaps();
+  std::map<std::int32_t, int> shifts;
+  for (const std::int32_t trajectory : trajectoriesOf(submaps))
+    shifts[trajectory] = ageShift(newestIndex(submaps, trajectory));
+  const auto before = std::exchange(items_->age_shifts, shifts);
+  if (shifts == before) return;
+  std::vector<map::SubmapId> ids;
+  for (const auto& [id, row] : submaps.rows()) {
+    const auto was = before.find(id.trajectory);
+    if (row.shown_version >= 0 && was != before.end() && was->second != shifts.at(id.trajectory))
+      ids.push_back(id);
+  }
+  syncPlaced(ids);
+  Q_EMIT layersChanged();  // the legend names the trajectories
 }
 
 void MapScene::syncMarks(const session::TouchedRows& rows) {
@@ -304,7 +325,7 @@ void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
     outline.frozen = row->entry.is_frozen;
     outline.visible = row->visible;
     if (row->visible) {
-      placed.push_back({id, placement->texture, pose, pixelFlags(row->entry)});
+      placed.push_back({id, placement->texture, pose, pixelFlags(session_->submaps(), row->entry)});
     } else {
       gone.push_back(id);
     }
@@ -451,7 +472,8 @@ std::vector<render::PlacedTexture> MapScene::placedTextures() const {
   if (!session_) return placed;
   for (const auto& [id, row] : session_->submaps().rows()) {
     if (const auto placement = session_->submaps().placement(id, session_->slice()))
-      placed.push_back({id, placement->texture, placement->world_from_texture, pixelFlags(row.entry)});
+      placed.push_back({id, placement->texture, placement->world_from_texture,
+                        pixelFlags(session_->submaps(), row.entry)});
   }
   return placed;
 }

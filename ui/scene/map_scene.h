@@ -231,6 +231,7 @@ class MapScene : public QGraphicsScene {
   void paintContentSoon();
   void paintContent();
   void syncAll();
+  void syncAges();
   /// The marks of submaps without a picture; true if one has changed.
   bool syncMark(map::SubmapId id);
   void syncMarks(const session::TouchedRows& rows);

@@ -60,6 +60,7 @@ class SceneItems {
   std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
   std::optional<geometry::Pose2> robot_pose;  // of the robot as drawn
+  std::map<std::int32_t, int> age_shifts;     // as drawn, by trajectory
   std::map<Layer, bool> shown;
   std::vector<Layer> order;
   CompareMode compare = CompareMode::Off;

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "render/compositor.h"
 #include "render/tile_renderer.h"
 #include "scene/layer_objects.h"
 #include "scene/legend.h"
+#include "scene/submap_classes.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "submap/row_version.h"
@@ -47,10 +49,48 @@ class SubmapsLayer : public DeviceLayer {
   }
 };
 
+/// The trajectories of each colour: "Trajectory 0", or several where there are more than colours.
+void trajectoriesLegend(Legend& legend, const submap::SubmapStore& submaps) {
+  constexpr qsizetype kMost = 4;
+  std::array<QStringList, render::kClasses> numbers;
+  for (const std::int32_t trajectory : trajectoriesOf(submaps))
+    numbers[std::size_t(trajectoryClass(trajectory))] << QString::number(trajectory);
+  const auto colors = render::classColors(render::ColorMode::Trajectory);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i].isEmpty()) continue;
+    const bool cut = numbers[i].size() > kMost;
+    const QString named =
+        numbers[i].mid(0, kMost).join(QLatin1String(", ")) + (cut ? QStringLiteral(" …") : QString());
+    const QString text =
+        numbers[i].size() == 1 ? LegendText::tr("Trajectory %1") : LegendText::tr("Trajectories %1");
+    legend.addCell(text.arg(named), QColor(colors[i]));
+  }
+}
+
+void classesLegend(Legend& legend) {
+  const std::span<const std::uint32_t> colors = render::classColors(legend.colors());
+  const std::vector<QColor> ramp(colors.begin(), colors.end());
+  switch (legend.colors()) {
+    case render::ColorMode::Trajectory:
+      if (legend.session()) trajectoriesLegend(legend, legend.session()->submaps());
+      break;
+    case render::ColorMode::Age:
+      legend.addScale(LegendText::tr("older"), LegendText::tr("newer"), ramp);
+      break;
+    default:
+      legend.addScale(LegendText::tr("few scans"),
+                      LegendText::tr("%1 and more").arg(kFirstVersionStep << (render::kClasses - 2)), ramp);
+      legend.addCell(LegendText::tr("Version unknown"), QColor(render::kUnknownVersionColor));
+  }
+  legend.addCell(LegendText::tr("Occupied"), QColor(legend.theme().map.occupied));
+  legend.addCell(LegendText::tr("Unknown"), QColor(legend.theme().map.unknown));
+}
+
 void submapsLegend(Legend& legend) {
+  if (!render::classColors(legend.colors()).empty()) return classesLegend(legend);
   const render::ColorTable table(legend.theme().map, legend.colors());
   const auto cell = [&](int flags, int intensity) {
-    return QColor(table.at(std::uint8_t(render::kObserved | flags), std::uint8_t(intensity)));
+    return QColor(table.at(std::uint16_t(render::kObserved | flags), std::uint8_t(intensity)));
   };
   addCells(legend, legend.theme().map);
   if (legend.colors() == render::ColorMode::Incremental) {

@@ -244,9 +244,13 @@ QWidget* InspectorDock::buildControls(QAction* show_ids, QAction* show_outlines)
   colors_->addItem(tr("Normal"));
   colors_->addItem(tr("Incremental"));
   colors_->addItem(tr("Active"));
+  colors_->addItem(tr("Trajectory"));
+  colors_->addItem(tr("Age"));
+  colors_->addItem(tr("Version"));
   colors_->setToolTip(
-      tr("Colours: Incremental tints incremental submaps, "
-         "Active dims frozen ones"));
+      tr("Colours: Incremental tints incremental submaps, Active dims frozen ones,\n"
+         "the others colour by trajectory, by age and by version (the legend says how)"));
+  colors_->setObjectName(QStringLiteral("colors"));
   colors_->setAccessibleName(tr("Colours"));
   slice_->setRange(0, 0);
   slice_->setPrefix(tr("Slice "));
