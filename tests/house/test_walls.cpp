@@ -232,7 +232,8 @@ void TestWalls::aBackEndIsNamedOnlyWhereRobotsAreMade() {
   for (const Room& room : roomsOfTheBuild()) {
     if (room.folder.startsWith(kRobots)) back_ends << room.name;
   }
-  QCOMPARE(sorted(back_ends).join(QLatin1Char(' ')), QStringLiteral("aimdk axbot files recorded ros wire"));
+  QCOMPARE(sorted(back_ends).join(QLatin1Char(' ')),
+           QStringLiteral("aimdk axbot files recorded ros state_file wire"));
   back_ends << QStringLiteral("simulator");
   for (const Room& room : roomsOfTheBuild()) {
     for (const QString& used : room.uses) {
