@@ -192,7 +192,9 @@ CommandResult<RobotReading*> openRobot(RobotCommand& command, const MapsArgument
   if (!args.resolution.empty() && !(resolutionOf(args) > 0))
     return wrong(
         Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(args.resolution)));
-  return command.open(purpose, placedFile(address, args.resolution, args.origin));
+  // Of submaps it is the resolution of what is made of them, not of a file.
+  const std::string of_file = stateFileOf(address) ? std::string() : args.resolution;
+  return command.open(purpose, placedFile(address, of_file, args.origin));
 }
 
 /// Its live map comes from a map dispatcher only, which can also send it whole on request.

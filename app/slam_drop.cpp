@@ -70,6 +70,7 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
   const QString to = words::text(args.output);
   if (isStream(to))
     return wrong(Text::tr("%1: the new file is read back, so it cannot be written there.").arg(oneLine(to)));
+  command.reportConnected();
   const auto receipt =
       pbstream::drop(from->toStdString(), *what, to.toStdString(), [&] { return command.time().over(); });
   if (!receipt) {
@@ -92,8 +93,8 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
     return kDone;
   }
   printLine(
-      Text::tr(
-          "Left out: %1 trajectories, %2 submaps, %3 nodes, %4 INTER and %5 INTRA constraints; %6 records.")
+      Text::tr("Left out: trajectories %1, submaps %2, nodes %3, INTER constraints %4, INTRA constraints %5; "
+               "records %6.")
           .arg(counted(receipt->trajectories), counted(receipt->submaps), counted(receipt->nodes),
                counted(receipt->inter), counted(receipt->intra), counted(receipt->records)));
   printLine(Text::tr("%1 was written, read again and compared. Written anew: the pose graph%2; every other "

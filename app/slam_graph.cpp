@@ -142,6 +142,7 @@ QString noLoopClosed() {
 }
 
 CommandResult<int> slamInfo(RobotCommand& command, const SlamArguments& args) {
+  command.reportConnected();
   const auto file = stateFileAt(args, command.time());
   if (!file) return passOn(file);
   const map::Closures closures = map::rankClosures(*file->graph);
@@ -155,16 +156,18 @@ CommandResult<int> slamInfo(RobotCommand& command, const SlamArguments& args) {
   std::size_t nodes = 0;
   for (const TrajectoryFacts& trajectory : trajectories) nodes += trajectory.nodes;
   if (file->nodes_without_pose > 0)
-    odd << Text::tr("%1 nodes have no pose in the pose graph.").arg(counted(file->nodes_without_pose));
+    odd << Text::tr("Nodes without a pose in the pose graph: %1.").arg(counted(file->nodes_without_pose));
   if (closures.dangling > 0)
-    odd << Text::tr("%1 constraints refer to submaps or nodes that are not there.")
+    odd << Text::tr("Constraints that refer to submaps or nodes that are not there: %1.")
                .arg(counted(closures.dangling));
   if (closures.without_pose > 0)
-    odd << Text::tr("%1 constraints have no usable pose.").arg(counted(closures.without_pose));
+    odd << Text::tr("Constraints without a usable pose: %1.").arg(counted(closures.without_pose));
   if (file->submaps.empty()) odd << Text::tr("There are no submaps in it.");
-  if (closures.inter == 0) odd << noLoopClosed();
+  if (closures.inter == 0 && nodes > 0) odd << noLoopClosed();
   if (file->option_lists && *file->option_lists != file->graph->trajectories.size())
-    odd << Text::tr("It has options for %1 trajectories but holds %2: Cartographer may refuse to load it.")
+    odd << Text::tr(
+               "Its options are for another number of trajectories (%1) than it holds (%2): Cartographer may "
+               "refuse to load it.")
                .arg(counted(*file->option_lists), counted(file->graph->trajectories.size()));
   const auto resolution = resolutionOf(*file);
   if (args.json) {
@@ -214,7 +217,7 @@ CommandResult<int> slamInfo(RobotCommand& command, const SlamArguments& args) {
                                                    metres(bounds.min_y), metres(bounds.max_y))});
     for (const TrajectoryFacts& one : trajectories)
       rows.push_back({Text::tr("Trajectory %1").arg(one.id),
-                      Text::tr("%1 submaps, %2 nodes, %3 m, %4 to %5")
+                      Text::tr("submaps: %1, nodes: %2, %3 m, %4 to %5")
                           .arg(counted(one.submaps), counted(one.nodes), metres(one.length_m),
                                timeText(one.start_s), timeText(one.end_s))});
     for (std::size_t kind = 0; kind < pbstream::kRecordKinds; ++kind) {
@@ -241,7 +244,8 @@ struct ClosuresArguments : RobotArguments {
 
 struct Ranked {
   map::Closures closures;
-  bool told = true;  // ids, angles and times are known
+  bool told = true;    // ids, angles and times are known
+  bool mapped = true;  // there is a map at all
 };
 
 /// From what cartographer_ros draws: the segments of residuals, from where a node should lie to where it
@@ -249,6 +253,7 @@ struct Ranked {
 Ranked rankSegments(const map::ConstraintsMessage& drawn) {
   Ranked ranked;
   ranked.told = false;
+  ranked.mapped = !drawn.by_name.empty();
   std::vector<double> inter, intra;
   for (const auto& [name, segments] : drawn.by_name) {
     const QString lower = text(name).toLower();
@@ -284,7 +289,7 @@ CommandResult<Ranked> rankedOf(RobotReading& reading) {
         reading.ask<Graph>([&](robot::OutcomeTo<Graph> reply) { return source->fetch(std::move(reply)); });
     if (!graph) return reading.failure(graph.error());
     reading.insistOnAll();
-    return Ranked{map::rankClosures(**graph)};
+    return Ranked{map::rankClosures(**graph), true, !(*graph)->trajectories.empty()};
   }
   robot::LiveTopics* const live = session.robot().liveTopics();
   if (!live || live->topicsOf(map::Stream::Constraints).isEmpty())
@@ -360,7 +365,8 @@ CommandResult<int> slamClosures(RobotCommand& command, const ClosuresArguments& 
     const bool inter = closure.kind == map::ConstraintKind::Inter;
     if (args.kind == "all" || (args.kind == "inter") == inter) wanted.push_back(closure);
   }
-  const bool too_large = args.fail_over_m && !wanted.empty() && wanted.front().residual_m > *args.fail_over_m;
+  const double largest_m = wanted.empty() ? 0 : wanted.front().residual_m;
+  const bool too_large = args.fail_over_m && largest_m > *args.fail_over_m;
   const auto over = std::size_t(std::count_if(wanted.begin(), wanted.end(), [&](const map::Closure& closure) {
     return closure.residual_m > args.fail_over_m.value_or(0);
   }));
@@ -373,8 +379,14 @@ CommandResult<int> slamClosures(RobotCommand& command, const ClosuresArguments& 
         "This robot only draws its constraints: which submaps and nodes they connect, degrees, times, and "
         "whether any are dangling is not known.")));
   if (all.without_pose > 0)
-    reading.lack(reading.about(
-        Text::tr("%1 constraints have no usable pose: they are not ranked.").arg(counted(all.without_pose))));
+    reading.lack(reading.about(Text::tr("Constraints without a usable pose, which are not ranked: %1.")
+                                   .arg(counted(all.without_pose))));
+  if (all.inter == 0 && ranked->mapped) {
+    if (args.json)
+      reading.addRemark(noLoopClosed());
+    else
+      printLine(noLoopClosed());
+  }
   if (args.json) {
     QJsonArray closures;
     for (const map::Closure& closure : wanted) closures << jsonOf(closure, ranked->told);
@@ -389,12 +401,12 @@ CommandResult<int> slamClosures(RobotCommand& command, const ClosuresArguments& 
   } else {
     printClosures(*ranked, wanted, among);
   }
-  if (all.inter == 0 && !args.json) printLine(noLoopClosed());
   if (!too_large) return kDone;
-  say(Text::tr("%1 closures contradict the finished map by more than %2 m (--fail-over), up to %3 m.")
+  say(Text::tr(
+          "Constraints that contradict the finished map by more than %2 m (--fail-over): %1, up to %3 m.")
           .arg(counted(over))
           .arg(*args.fail_over_m)
-          .arg(all.ranked.empty() ? 0 : all.ranked.front().residual_m, 0, 'f', 3));
+          .arg(largest_m, 0, 'f', 3));
   return kIncomplete;
 }
 

@@ -128,10 +128,11 @@ Fault refusalOf(const StateFile& file, const Dropped& what) {
   if (what.trajectories.empty()) return {};
   // Cartographer matches the two by their order.
   if (file.option_lists != graph.trajectories.size())
-    return {
-        faultText("pbstream",
-                  "It has options for %1 trajectories but holds %2, so it cannot be told which options go."),
-        {std::int64_t(file.option_lists.value_or(0)), std::int64_t(graph.trajectories.size())}};
+    return {faultText("pbstream",
+                      "Its options are for another number of trajectories (%1) than it holds (%2), so it "
+                      "cannot be told "
+                      "which of them go."),
+            {std::int64_t(file.option_lists.value_or(0)), std::int64_t(graph.trajectories.size())}};
   return {};
 }
 

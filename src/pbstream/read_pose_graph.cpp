@@ -123,11 +123,11 @@ ReadGraph readPoseGraph(Wire& wire) {
   if (twice > 0)
     read.odd.push_back(
         {faultText("pbstream",
-                   "%1 trajectories, nodes or submaps are listed twice: the first of each counts"),
+                   "trajectories, nodes or submaps that are listed twice: %1; the first of each counts"),
          {words::grouped(std::int64_t(twice))}});
   if (unknown_tags > 0)
     read.odd.push_back(
-        {faultText("pbstream", "%1 constraints are of a kind that is not known: they count as INTER"),
+        {faultText("pbstream", "constraints of a kind that is not known: %1; they count as INTER"),
          {words::grouped(std::int64_t(unknown_tags))}});
   return read;
 }

@@ -258,8 +258,7 @@ class Reading {
     }
     submaps = std::move(kept);
     if (!state_.graph) {
-      if (!state_.cut || !submaps.empty())
-        warn(faultText("pbstream", "It holds no pose graph, so nothing in it has a place."));
+      warn(faultText("pbstream", "It holds no pose graph, so nothing in it has a place."));
       state_.graph = std::make_shared<const map::PoseGraph>();
     }
     std::sort(state_.nodes.begin(), state_.nodes.end());
@@ -349,9 +348,9 @@ std::vector<Fault> StateFile::losses() const {
   for (const map::SubmapPose& submap : graph->submaps) {
     if (!find(submap.id)) missing.push_back(map::toText(submap.id));
   }
-  add(std::move(unplaced), faultText("pbstream", "The pose graph gives no place to %1 of the submaps: %2."));
+  add(std::move(unplaced), faultText("pbstream", "Submaps without a place in the pose graph: %1 (%2)."));
   add(std::move(missing),
-      faultText("pbstream", "The pose graph gives a place to %1 submaps that are not in the file: %2."));
+      faultText("pbstream", "Submaps that are missing although the pose graph gives them a place: %1 (%2)."));
   return all;
 }
 

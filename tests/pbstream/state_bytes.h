@@ -161,6 +161,7 @@ class Folder {
   std::string write(const std::string& bytes, const char* name = "map.pbstream") const {
     const QString path = dir_.filePath(QLatin1String(name));
     QFile file(path);
+    (void)file.remove();  // some file systems wait for the disk where a file is cut to nothing
     (void)file.open(QIODevice::WriteOnly);
     file.write(bytes.data(), qint64(bytes.size()));
     return path.toStdString();
