@@ -165,8 +165,9 @@ int runCommand(int argc, char** argv) {
   CLI::App* play = cli.add_subcommand("play", help(Text::tr("Open the window with a recording")));
   play->add_option("file", operand, help(Text::tr("MCAP or ROS bag")))->required();
   Commands commands(cli);
-  for (const auto add : {addSimulate, addSnapshot, addCompare, addSuite, addMaps, addProjections,
-                         addWaypoints, addOverlays, addBags, addRecord, addClouds, addSlam, addTopics, addProbe})
+  for (const auto add :
+       {addSimulate, addSnapshot, addCompare, addSuite, addMaps, addProjections, addWaypoints, addOverlays,
+        addBags, addRecord, addClouds, addSlam, addTopics, addProbe})
     add(commands);
   addLog(cli, log_rules);
   CLI::App* bench = cli.add_subcommand("bench", help(Text::tr("Run the benchmarks")));
