@@ -11,6 +11,8 @@
 #include "../session/fake_robot.h"
 #include "app/exit_code.h"
 #include "app/snapshot_run.h"
+#include "app/suite_quality.h"
+#include "robot/pose_graph_source.h"
 #include "scene/layer.h"
 #include "test_program.h"
 
@@ -44,6 +46,33 @@ map::GridMessage liveMap(int gray) {
   return message;
 }
 
+/// A pose graph with a loop closure of 3 m, that comes when it is told to.
+class Graph : public robot::PoseGraphSource {
+ public:
+  using Given = robot::Outcome<std::shared_ptr<const map::PoseGraph>>;
+  robot::Call fetch(robot::OutcomeTo<std::shared_ptr<const map::PoseGraph>> reply) override {
+    reply_ = std::move(reply);
+    return {};
+  }
+  bool asked() const { return bool(reply_); }
+  void come() {
+    map::PoseGraph graph;
+    graph.submaps = {{{0, 0}, {}}};
+    graph.trajectories = {{0, {{{0, 0}, 1.7e9, {}}}}};
+    graph.constraints = {{{0, 0}, {0, 0}, geometry::poseFromYaw(3, 0, 0), map::ConstraintKind::Inter, 1, 1}};
+    reply_(std::make_shared<const map::PoseGraph>(graph));
+  }
+  void fail() { reply_(tl::make_unexpected(map::Failure{map::FailureKind::TimedOut})); }
+
+ private:
+  robot::OutcomeTo<std::shared_ptr<const map::PoseGraph>> reply_;
+};
+
+struct RobotWithGraph : FakeRobot {
+  robot::PoseGraphSource* poseGraphSource() override { return graph; }
+  robot::PoseGraphSource* graph = nullptr;
+};
+
 }  // namespace
 
 class SnapshotContentTest : public QObject {
@@ -63,13 +92,16 @@ class SnapshotContentTest : public QObject {
     words.scale = 0.01;
     return words;
   }
-  void begin(const app::SnapshotArguments& words) {
-    auto robot = std::make_unique<FakeRobot>();
+  void begin(const app::SnapshotArguments& words, const suite::Quality& quality = {},
+             robot::PoseGraphSource* graph = nullptr) {
+    auto robot = std::make_unique<RobotWithGraph>();
+    robot->graph = graph;
     robot_ = robot.get();
     robot_->has_maps = true;
     robot_->has_topics = true;
-    const auto options = app::parseSnapshotOptions(words);
+    auto options = app::parseSnapshotOptions(words);
     QVERIFY2(options, options ? "" : qPrintable(options.error()));
+    options->quality = quality;
     run_ = std::make_unique<SnapshotRun>(*options, std::move(robot));
     finished_ = std::make_unique<QSignalSpy>(run_.get(), &SnapshotRun::finished);
     run_->start();
@@ -284,6 +316,36 @@ class SnapshotContentTest : public QObject {
     QVERIFY(!run_->report()[QLatin1String("complete")].toBool());
     QVERIFY(run_->warnings().join(QLatin1Char(' ')).contains(QStringLiteral("--timeout")));
     QVERIFY(!bytesOf("cut.png").isEmpty());
+  }
+
+  void thePoseGraphIsAwaitedWhereItIsJudged_data() {
+    QTest::addColumn<bool>("comes");
+    QTest::newRow("it comes") << true;
+    QTest::newRow("it fails") << false;
+  }
+  void thePoseGraphIsAwaitedWhereItIsJudged() {
+    QFETCH(bool, comes);
+    const suite::Quality quality{0.5, {}};
+    Graph graph;
+    begin(words("judged.png"), quality, &graph);
+    robot_->say(listOf(1, "u"));
+    answerEverySubmap();
+    QTRY_VERIFY(graph.asked());
+    QVERIFY(finished_->isEmpty());
+    comes ? graph.come() : graph.fail();
+    QTRY_VERIFY_WITH_TIMEOUT(answeredAndFinished(), 60'000);
+    QCOMPARE(exitCode(), int(app::kDone));
+    std::optional<suite::Examined> examined;
+    app::examine(quality, run_->session(), {}, this, [&](suite::Examined found) { examined = found; });
+    QVERIFY(examined);
+    QCOMPARE(bool(examined->closures), comes);
+    if (comes) {
+      QCOMPARE(examined->closures->ranked.at(0).residual_m, 3.0);
+    } else {
+      QVERIFY2(examined->lacks.join(QString()).startsWith(
+                   QStringLiteral("Loop closures could not be judged: the pose graph was not read. ")),
+               qPrintable(examined->lacks.join(QString())));
+    }
   }
 
   void onlyWhatIsDrawnIsAskedFor_data() {

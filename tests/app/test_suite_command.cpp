@@ -385,6 +385,9 @@ class SuiteCommandTest : public QObject {
     row("no number", "views:\n  - {name: a, robot: map/office.yaml, scale: x}", "--scale");
     row("no robot", "views:\n  - {name: a}", "names no robot");
     row("a missing mask", "views:\n  - {name: a, robot: map/office.yaml, mask: none.png}", "none.png");
+    row("a limit that is none",
+        "views:\n  - {name: a, robot: map/office.yaml, quality: {closures_over_m: x}}",
+        "Line 2, column 65: closures_over_m must be a number");
     row("an option of files", "views:\n  - {name: a, robot: map/office.yaml, output: /tmp/x}", "\"output\"");
     row("a secret", "views:\n  - {name: a, robot: map/office.yaml, secret-file: /tmp/x}", "\"secret-file\"");
   }
@@ -440,6 +443,106 @@ class SuiteCommandTest : public QObject {
       QVERIFY(clock.elapsed() < 100'000);
     }
   }
+  // quality
+
+  void submapsThatContradictAreOverTheLimitAndTheirPlacesNamed() {
+    const auto limited = [this](const char* limit) {
+      program_->put("suite.yaml",
+                    QByteArray("views:\n  - {name: slam, robot: \"demo:?submaps=30\", mode: submaps, size: "
+                               "300x200, quality: {disagreement_over: ") +
+                        limit + "}}\n");
+    };
+    limited("0");
+    const Ended accepted = accept();
+    QVERIFY2(accepted.code == 0, qPrintable(accepted.out + accepted.err));
+    QVERIFY2(accepted.out.contains(QStringLiteral("more than 0 %")), qPrintable(accepted.out));
+    const QJsonObject asked = run(words("slam disagreement --robot demo:?submaps=30 --json")).object();
+    QJsonObject facts = QJsonDocument::fromJson(program_->bytes("expected/slam.json")).object();
+    QJsonObject figures = facts[QLatin1String("disagreement")].toObject();
+    for (const char* figure : {"tolerance_cells", "occupied_cells", "contradicted_cells", "share"})
+      QCOMPARE(figures[QLatin1String(figure)], asked[QLatin1String(figure)]);
+    QVERIFY(figures[QLatin1String("share")].toDouble() > 0);
+
+    QCOMPARE(runSuite().code, 1);
+    const QJsonObject worst = asked[QLatin1String("places")][0].toObject();
+    const QString place = QStringLiteral("%1 cells at (%2, %3), submaps %4 ")
+                              .arg(worst[QLatin1String("cells")].toInt())
+                              .arg(worst[QLatin1String("x")].toDouble(), 0, 'f', 1)
+                              .arg(worst[QLatin1String("y")].toDouble(), 0, 'f', 1)
+                              .arg(worst[QLatin1String("submaps")][0].toString());
+    QVERIFY2(failures()[QStringLiteral("slam")].contains(place), qPrintable(place));
+    QVERIFY(QString::fromUtf8(program_->bytes("report/report.html")).contains(place));
+    QVERIFY(QFile::exists(program_->path("report/actual/slam.png")));
+
+    // The limit holds: the change is still shown, and what a trend is made of kept.
+    limited("1");
+    figures[QLatin1String("contradicted_cells")] = 0;
+    facts[QLatin1String("disagreement")] = figures;
+    program_->put("expected/slam.json", QJsonDocument(facts).toJson());
+    const Ended held = runSuite();
+    QVERIFY2(held.code == 0, qPrintable(held.out + held.err));
+    QVERIFY(failures().isEmpty());
+    const QString change = QStringLiteral("contradicted cells 0 -> ");
+    QVERIFY2(held.out.contains(QStringLiteral("slam: as expected. SLAM session: share 0 % -> ")),
+             qPrintable(held.out));
+    QVERIFY(QString::fromUtf8(program_->bytes("report/junit.xml")).contains(change.toHtmlEscaped()));
+    QVERIFY(!QFile::exists(program_->path("report/actual/slam.png")));
+    const QJsonObject kept = QJsonDocument::fromJson(program_->bytes("report/actual/slam.json")).object();
+    QCOMPARE(kept[QLatin1String("disagreement")][QLatin1String("share")], asked[QLatin1String("share")]);
+    QVERIFY(accept().out.contains(QStringLiteral("the facts beside it are new")));
+    QVERIFY(accept().out.contains(QStringLiteral("nothing is replaced")));
+  }
+  void submapsAreComparedBehindAWholeMapToo() {
+    program_->put(
+        "suite.yaml",
+        "views:\n  - {name: whole, robot: \"demo:?submaps=30\", mode: whole, size: 300x200, quality: "
+        "{disagreement_over: 1}}\n");
+    const Ended accepted = accept();
+    QVERIFY2(accepted.code == 0, qPrintable(accepted.out + accepted.err));
+    QVERIFY2(accepted.out.contains(QStringLiteral("SLAM session: share ")), qPrintable(accepted.out));
+  }
+  void whatCannotBeJudgedFailsWithItsReason() {
+    program_->put(
+        "suite.yaml",
+        "defaults: {size: 100x80}\n"
+        "views:\n"
+        "  - {name: graph, robot: \"demo:?submaps=6\", mode: submaps, quality: {closures_over_m: 1}}\n"
+        "  - {name: file, robot: map/office.yaml, quality: {disagreement_over: 1}}\n");
+    const Ended accepted = accept();
+    QCOMPARE(accepted.code, 1);
+    QCOMPARE(accepted.out.count(QStringLiteral("nothing accepted")), 2);
+    // Also where the picture itself is as expected.
+    for (const char* name : {"graph", "file"})
+      QFile::copy(
+          program_->path(qPrintable(QStringLiteral("accepted/actual/%1.png").arg(QLatin1String(name)))),
+          program_->path(qPrintable(QStringLiteral("expected/%1.png").arg(QLatin1String(name)))));
+    QCOMPARE(runSuite().code, 1);
+    const auto found = failures();
+    const QString graph = found[QStringLiteral("graph")], file = found[QStringLiteral("file")];
+    QVERIFY2(graph.startsWith(QStringLiteral("Loop closures could not be judged. ")), qPrintable(graph));
+    QVERIFY2(file.contains(QStringLiteral("could not be judged: there is no list of submaps")),
+             qPrintable(file));
+    QVERIFY(program_->bytes("report/junit.xml").contains("errors=\"2\""));
+  }
+  void submapsThatAreMissingAreNotJudgedWithoutThem() {
+    QProcess robot;
+    robot.setProcessEnvironment(program_->environment());
+    robot.start(QStringLiteral(MAPWRIGHT_PROGRAM), words("simulate --submaps 20 --wrong-size-rate 0.3"));
+    QVERIFY(QTest::qWaitFor([&] { return robot.canReadLine(); }, 60'000));
+    const QByteArray address =
+        QJsonDocument::fromJson(robot.readLine()).object()[QLatin1String("axbot")].toString().toUtf8();
+    program_->put("suite.yaml", "views:\n  - {name: few, robot: \"" + address +
+                                    "\", mode: whole, layers: none, quality: {disagreement_over: 1}}\n");
+    const Ended accepted = accept();
+    robot.terminate();
+    robot.waitForFinished();
+    QCOMPARE(accepted.code, 1);
+    QVERIFY2(accepted.out.startsWith(QStringLiteral("few: nothing accepted. Whether submaps contradict each "
+                                                    "other could not be judged: ")),
+             qPrintable(accepted.out));
+    QVERIFY2(accepted.out.contains(QStringLiteral(" submaps are here.")), qPrintable(accepted.out));
+  }
+
   void listTellsWhatIsExpected() {
     QFile::remove(program_->path("expected/cells.png"));
     const Ended ended = run(words("suite list suite.yaml --expected expected"));
