@@ -78,11 +78,12 @@ QVariant ClosuresModel::data(const QModelIndex& index, int role) const {
       return filter_.by_submap && row.submap
                  ? sentences::counted(tr("%1 constraints", nullptr, listed.of_submap), listed.of_submap)
                  : nameOf(row.node);
-    case TimeColumn:
-      return row.stamp_s
-                 ? QLocale().toString(QDateTime::fromMSecsSinceEpoch(qint64(*row.stamp_s * 1000)),
-                                      role == Qt::ToolTipRole ? QLocale::LongFormat : QLocale::ShortFormat)
-                 : QString();
+    case TimeColumn: {
+      if (!row.stamp_s) return {};
+      const QDateTime at = QDateTime::fromMSecsSinceEpoch(qint64(*row.stamp_s * 1000));
+      return role == Qt::ToolTipRole ? QLocale().toString(at, QLocale::LongFormat)
+                                     : at.toString(QStringLiteral("hh:mm:ss"));
+    }
     case kColumns:
       break;
   }
