@@ -10,6 +10,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "../pbstream/state_bytes.h"
 #include "program.h"
 #include "shown_window.h"
 #include "test_program.h"
@@ -316,6 +317,10 @@ class ManualTest : public QObject {
     row("probe", "probe ROSHOST --json");
     row("projections list", "projections list --robot REP130 --json");
     row("clouds export", "clouds export --all -o cloud.pcd --force --robot REP130 --json");
+    row("slam info", "slam info --robot map.pbstream --json");
+    row("slam closures", "slam closures --robot map.pbstream --json");
+    row("slam closures", "slam closures --robot AXBOT --json");
+    row("slam drop", "slam drop --robot map.pbstream --submap 0-1 -o less.pbstream --json");
     row("slam disagreement", "slam disagreement --robot AXBOT --json");
     row("slam coverage", "slam coverage --robot AXBOT --json");
     row("report", "slam coverage --robot AXBOT --report -");
@@ -480,6 +485,7 @@ class ManualTest : public QObject {
     program_.put("map.yaml",
                  "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
                  "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+    program_.put("map.pbstream", QByteArray::fromStdString(mapwright::pbstream::tests::wholeFile()));
     program_.put("places.csv", "id,name,x,y,yaw_rad\nw1,Dock,1,1,0\nw2,Door,2,1,\n");
     program_.put(
         "map.waypoints.geojson",
