@@ -116,6 +116,9 @@ bool Outline::contains(const Eigen::Vector2d& p) const {
 void HighlightItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
   const geometry::WorldRect visible = context_.view.visibleWorld();
+  // Several on top of each other would hide what is below.
+  const QBrush fill =
+      context_.highlighted.size() == 1 ? QBrush(translucent(context_.theme.accent, 28)) : QBrush(Qt::NoBrush);
   for (const map::SubmapId id : context_.highlighted) {
     const auto it = context_.outlines.find(id);
     if (it == context_.outlines.end()) continue;
@@ -126,7 +129,7 @@ void HighlightItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
       polygon << toPoint(context_.view.pixelFromWorld(corner));
     }
     if (!bounds.intersects(visible)) continue;
-    painter->setBrush(translucent(context_.theme.accent, 28));
+    painter->setBrush(fill);
     painter->setPen(QPen(context_.theme.text_halo, 4));
     painter->drawPolygon(polygon);
     painter->setPen(QPen(context_.theme.accent, 2));
