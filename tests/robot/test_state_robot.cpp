@@ -19,10 +19,10 @@ constexpr int kWaitMs = 20'000;
 /// A robot over a file, and what it has sent.
 struct Opened {
   explicit Opened(const QString& path) {
-    pbstream::StateOptions options;
+    robot::pbstream::StateOptions options;
     options.path = path;
     options.settle = std::chrono::milliseconds(1);
-    robot = std::make_unique<pbstream::StateRobot>(QStringLiteral("file:") + path, options);
+    robot = std::make_unique<robot::pbstream::StateRobot>(QStringLiteral("file:") + path, options);
     QObject::connect(robot.get(), &Robot::topicReceived, robot.get(),
                      [this](const map::StampedMessage& message) {
                        if (const auto* const list = std::get_if<map::SubmapList>(&message.message))
@@ -41,7 +41,7 @@ struct Opened {
   map::TrajectoryMessage trajectory;
   map::ConstraintsMessage constraints;
   std::vector<map::Problem> problems;
-  std::unique_ptr<pbstream::StateRobot> robot;
+  std::unique_ptr<robot::pbstream::StateRobot> robot;
 };
 
 }  // namespace
