@@ -387,7 +387,7 @@ class SuiteCommandTest : public QObject {
     row("a missing mask", "views:\n  - {name: a, robot: map/office.yaml, mask: none.png}", "none.png");
     row("a limit that is none",
         "views:\n  - {name: a, robot: map/office.yaml, quality: {closures_over_m: x}}",
-        "Line 2, column 65: closures_over_m must be a number");
+        "Line 2, column 66: closures_over_m must be a number");
     row("an option of files", "views:\n  - {name: a, robot: map/office.yaml, output: /tmp/x}", "\"output\"");
     row("a secret", "views:\n  - {name: a, robot: map/office.yaml, secret-file: /tmp/x}", "\"secret-file\"");
   }

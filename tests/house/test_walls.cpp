@@ -242,10 +242,9 @@ void TestWalls::aBackEndIsNamedOnlyWhereRobotsAreMade() {
     }
   }
   // Excerpts of a recording are written as it is read.
-  QCOMPARE(
-      sorted(users).join(QLatin1Char(' ')),
-      QStringLiteral(
-          "app/aimdk app/axbot app/files app/recorded app/ros app/simulator app/wire src/excerpt/recorded"));
+  QCOMPARE(sorted(users).join(QLatin1Char(' ')),
+           QStringLiteral("app/aimdk app/axbot app/files app/recorded app/ros app/simulator app/state_file "
+                          "app/wire src/excerpt/recorded"));
   // In `app` one file makes all of them, and one command runs the simulator.
   const QRegularExpression named(
       QStringLiteral("\\brobot(/|::)(%1)\\b").arg(back_ends.join(QLatin1Char('|'))));

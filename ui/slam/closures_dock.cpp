@@ -66,9 +66,13 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   };
   for (const int column : {ClosuresModel::ResidualColumn, ClosuresModel::TurnColumn})
     widen(column, kNumberLetters);
-  for (const int column : {ClosuresModel::SubmapColumn, ClosuresModel::NodeColumn}) widen(column, kIdLetters);
-  columns_ = new NameColumn(table_, header, ClosuresModel::TimeColumn,
-                            {{ClosuresModel::TurnColumn}, {ClosuresModel::NodeColumn}});
+  widen(ClosuresModel::NodeColumn, kIdLetters);
+  widen(ClosuresModel::TimeColumn, kIdLetters);
+  columns_ = new NameColumn(table_, header, ClosuresModel::SubmapColumn,
+                            {{ClosuresModel::TimeColumn},
+                             {ClosuresModel::TurnColumn},
+                             {ClosuresModel::NodeColumn},
+                             {ClosuresModel::ResidualColumn}});
   table_->installEventFilter(this);
   count_->setSecondary(true);
   auto* const body = new QWidget(this);
