@@ -73,7 +73,7 @@ struct OverlayDesk {
   }
 
   scene::MapScene scene{{}};
-  window::OverlayEditing editing;
+  edit::OverlayEditing editing;
   window::OverlaysOnMap on_map;
   window::OverlaySnapping snapping;
   window::OverlayTool tool;
@@ -105,7 +105,7 @@ void overlaysDrag(benchmark::State& state) {
   desk.editing.select(desk.some(1'000));
   double x = 0;
   for (auto _ : state) {
-    window::OverlayEditing::Preview preview;
+    edit::OverlayEditing::Preview preview;
     x += 0.01;
     for (const FeatureKey key : desk.editing.selected())
       preview.emplace(key, overlays::movedBy(*desk.editing.document().find(key), {x, 0}));
@@ -149,7 +149,7 @@ void overlaysDragFrame(benchmark::State& state) {
   QImage screen(1366, 740, QImage::Format_ARGB32_Premultiplied);
   double x = 0;
   for (auto _ : state) {
-    window::OverlayEditing::Preview preview;
+    edit::OverlayEditing::Preview preview;
     x += 0.01;
     for (const FeatureKey key : desk.editing.selected())
       preview.emplace(key, overlays::movedBy(*desk.editing.document().find(key), {x, 0}));

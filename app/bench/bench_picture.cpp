@@ -273,7 +273,7 @@ class Desk {
     window_->view()->moveTo(camera, false);
     (void)waitFor([this] { return settled(); });
   }
-  window::PictureEditing& editing() { return *window_->findChild<window::PictureController*>()->editing(); }
+  edit::PictureEditing& editing() { return *window_->findChild<window::PictureController*>()->editing(); }
   bool settled() { return window_->mapScene()->settled(); }
   QWidget* map() { return window_->view()->viewport(); }
   void mouse(QEvent::Type type, const QPointF& at) {
@@ -363,7 +363,7 @@ void windowLongWork(benchmark::State& state) {
       at.editing().setKind(at.editing().kind() == Kind::Unknown ? Kind::Free : Kind::Unknown);
       at.editing().fill({5 * pixel_m, 5 * pixel_m});
     } else {
-      at.editing().lookFor(window::Tidying::Specks, 4);
+      at.editing().lookFor(edit::Tidying::Specks, 4);
     }
     still = std::max(still, msSince(from));
     still = std::max(still,
