@@ -310,8 +310,9 @@ class TestWindowFiles : public QObject {
     QTRY_VERIFY(expected->dialog() && expected->dialog()->isVisible());
     QStringList texts;
     for (const QLabel* const label : expected->dialog()->findChildren<QLabel*>()) texts << label->text();
-    QVERIFY2(texts.join(QLatin1Char('|')).contains(QLatin1String("10,800 pixels differ (100 %), by up to ")),
-             qPrintable(texts.join(QLatin1Char('|'))));
+    QVERIFY2(
+        texts.join(QLatin1Char('|')).contains(QStringLiteral("10,800 pixels differ (100\u00a0%), by up to ")),
+        qPrintable(texts.join(QLatin1Char('|'))));
     QVERIFY(texts.join(QLatin1Char('|')).contains(QString::fromUtf8("1 cluster of 27.0 m² at (1.0, 1.0)")));
     expected->dialog()->close();
   }
