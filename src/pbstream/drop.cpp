@@ -129,9 +129,8 @@ Fault refusalOf(const StateFile& file, const Dropped& what) {
   // Cartographer matches the two by their order.
   if (file.option_lists != graph.trajectories.size())
     return {faultText("pbstream",
-                      "Its options are for another number of trajectories (%1) than it holds (%2), so it "
-                      "cannot be told "
-                      "which of them go."),
+                      "It has options for %1 trajectories and holds %2. So the options of a single one "
+                      "cannot be found."),
             {std::int64_t(file.option_lists.value_or(0)), std::int64_t(graph.trajectories.size())}};
   return {};
 }

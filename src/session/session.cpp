@@ -117,7 +117,7 @@ void Session::wireSubmaps() {
   connect(&submaps_, &Submaps::restarted, this, [this] {
     ++generation_;
     if (problems_.resolveAll(map::SubjectKind::Submap, wall_())) reportProblems();
-    pose_graph_.refresh();
+    if (generation_ > 1) pose_graph_.refresh();  // the first list belongs to the graph that was asked for
     Q_EMIT sessionRestarted();
   });
   connect(&submaps_, &Submaps::listChanged, this, &Session::listChanged);

@@ -203,8 +203,7 @@ class DropTest : public QObject {
     const std::string other_options = header() + record(graphRecord()) + record(optionsRecord(3)) +
                                       record(submapRecord(0, 0)) + record(submapRecord(0, 1)) +
                                       record(submapRecord(1, 0));
-    QVERIFY(refusal(what, other_options).find("another number of trajectories (3) than it holds (2)") !=
-            std::string::npos);
+    QVERIFY(refusal(what, other_options).find("options for 3 trajectories and holds 2") != std::string::npos);
     auto dangling = graphRecord();
     dangling.mutable_pose_graph()->mutable_constraint(0)->mutable_node_id()->set_node_index(99);
     const std::string dangles = header() + record(dangling) + record(optionsRecord(2)) +
