@@ -69,7 +69,7 @@ struct HttpJob {
   int redirects = 0;
   std::optional<CachedAnswer> stored;
   std::optional<HttpAnswer> answer;              // set: the reply only has to be delivered
-  QNetworkAccessManager* own_network = nullptr;  // a fresh connection
+  QNetworkAccessManager* own_network = nullptr;  // a fresh connection, with TLS
   QNetworkReply* network_reply = nullptr;
   SequentialBody* upload = nullptr;  // of network_reply
   bool heard_sent = false;           // of this request
@@ -396,16 +396,20 @@ class HttpClient::Impl {
     job.body.clear();
     job.handed_over = 0;
     const bool changes = job.request.method != HttpMethod::Get;
-    if (changes) {
+    QNetworkRequest request = requestOf(job, secret_, trust_);
+    if (changes && job.url.scheme() == QLatin1String("https")) {
       // Its parent makes sure that it is destroyed with the client: deferred deletion at the end of a thread
       // would never happen.
       job.own_network = new QNetworkAccessManager(&network_);
       job.own_network->setAutoDeleteReplies(false);
+    } else if (changes) {
+      // Qt uses a connection again for the same address and the same name in the certificate. Without TLS
+      // this name has no other use, and a connection of its own needs no thread of its own.
+      request.setPeerVerifyName(QStringLiteral("change %1").arg(id));
     }
-    QNetworkAccessManager& network = changes ? *job.own_network : network_;
+    QNetworkAccessManager& network = job.own_network ? *job.own_network : network_;
     job.upload = new SequentialBody(changes ? job.request.body : QByteArray());
-    job.network_reply =
-        network.sendCustomRequest(requestOf(job, secret_, trust_), verbOf(job.request.method), job.upload);
+    job.network_reply = network.sendCustomRequest(request, verbOf(job.request.method), job.upload);
     job.upload->setParent(job.network_reply);
     job.heard_sent = false;
     QObject::connect(job.network_reply, &QNetworkReply::uploadProgress, owner_,
