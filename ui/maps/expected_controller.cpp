@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -66,12 +67,9 @@ QString onOneLine(QString sentence) {
   return sentence.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
 }
 
-QScrollArea* scrolled(const QString& difference) {
-  QPixmap pixels(difference);
-  if (pixels.width() > kLargestShown.width() || pixels.height() > kLargestShown.height())
-    pixels = pixels.scaled(kLargestShown, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+QScrollArea* scrolled(const QImage& difference) {
   auto* const picture = new QLabel;
-  picture->setPixmap(pixels);
+  picture->setPixmap(QPixmap::fromImage(difference));
   picture->setAccessibleName(ExpectedController::tr("What differs"));
   auto* const area = new QScrollArea;
   area->setWidget(picture);
@@ -135,8 +133,15 @@ struct ExpectedController::Comparing {
   QTimer poll;
 };
 
+struct ExpectedController::Compared {
+  QString problem;  // not empty: nothing was compared
+  QString sentence;
+  QStringList changes;
+  QImage expected, actual, difference;  // difference: null where nothing differs
+};
+
 ExpectedController::ExpectedController(WindowContext& context, QObject* parent)
-    : Controller(parent), context_(context) {
+    : Controller(parent), context_(context), share_(context.workers) {
   context_.actions.add({.id = "compareExpected",
                         .text = tr("Compare &with expected…"),
                         .tip = tr("Compare the map with an expected picture of the same place"),
@@ -212,60 +217,87 @@ void ExpectedController::onPicture() {
   const std::unique_ptr<Comparing> done = std::move(comparing_);
   // Of the same moment as the picture: the session goes on.
   const suite::Facts facts = shot::factsOf(done->look, done->session);
-  QTemporaryDir folder;
-  const QString actual = folder.filePath(QStringLiteral("actual.png")),
-                difference = folder.filePath(QStringLiteral("difference.png"));
-  if (!folder.isValid()) return report(tr("There is not enough room to draw the map again."));
+  const auto folder = std::make_shared<QTemporaryDir>();
+  if (!folder->isValid()) return report(tr("There is not enough room to draw the map again."));
+  const QString actual = folder->filePath(QStringLiteral("actual.png"));
   if (const auto fault = done->picture->write(actual)) return report(sentences::sentenceOf(*fault));
-  const suite::Judgement judgement = suite::judge({done->expected}, actual, {});
-  if (judgement.unreadable()) return report(judgement.sentence);
-  suite::ViewOutcome outcome;
-  outcome.sentence = compare::comparisonText(*judgement.comparison, facts.view);
-  const bool differs = judgement.verdict == suite::Verdict::Differs;
-  if (differs) {
-    suite::explain(judgement, facts, outcome);
-    if (const auto fault = compare::writeDifference(*judgement.comparison, done->expected.toStdString(),
-                                                    actual.toStdString(), difference.toStdString()))
-      return report(sentences::sentenceOf(*fault));
-  }
+  QString lacks;
   if (!done->shot.complete())
-    outcome.sentence +=
-        QLatin1Char(' ') +
-        (done->end == shot::EndOfWaiting::LinkLost
-             ? tr("The robot is not connected, so not everything has arrived.")
-             : tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS)));
-  show(outcome.sentence, done->expected, QImage(actual), differs ? difference : QString(),
-       changesOf(outcome));
+    lacks = QLatin1Char(' ') +
+            (done->end == shot::EndOfWaiting::LinkLost
+                 ? tr("The robot is not connected, so not everything has arrived.")
+                 : tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS)));
+  share_.startLong([this, folder, expected = done->expected, actual, facts, lacks] {
+    Compared compared = compare(expected, actual, facts);
+    compared.sentence += lacks;
+    QMetaObject::invokeMethod(
+        this, [this, compared] { compared.problem.isEmpty() ? show(compared) : report(compared.problem); },
+        Qt::QueuedConnection);
+  });
 }
 
-void ExpectedController::show(const QString& sentence, const QString& expected, const QImage& actual,
-                              const QString& difference, const QStringList& changes) {
+/// On any thread.
+ExpectedController::Compared ExpectedController::compare(const QString& expected, const QString& actual,
+                                                         const suite::Facts& facts) {
+  Compared compared;
+  const suite::Judgement judgement = suite::judge({expected}, actual, {});
+  if (judgement.unreadable()) {
+    compared.problem = judgement.sentence;
+    return compared;
+  }
+  suite::ViewOutcome outcome;
+  outcome.sentence = compare::comparisonText(*judgement.comparison, facts.view);
+  compared.expected = QImage(expected);
+  compared.actual = QImage(actual);
+  const bool differs = judgement.verdict == suite::Verdict::Differs;
+  if (differs) suite::explain(judgement, facts, outcome);
+  compared.sentence = outcome.sentence;
+  if (!differs) return compared;
+  compared.changes = changesOf(outcome);
+  const QString difference = QFileInfo(actual).dir().filePath(QStringLiteral("difference.png"));
+  if (const auto fault = compare::writeDifference(*judgement.comparison, expected.toStdString(),
+                                                  actual.toStdString(), difference.toStdString())) {
+    compared.problem = sentences::sentenceOf(*fault);
+    return compared;
+  }
+  compared.difference = QImage(difference);
+  if (compared.difference.width() > kLargestShown.width() ||
+      compared.difference.height() > kLargestShown.height())
+    compared.difference =
+        compared.difference.scaled(kLargestShown, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  return compared;
+}
+
+void ExpectedController::show(const Compared& compared) {
   delete dialog_;
   dialog_ = new QDialog(&context_.window);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
   dialog_->setWindowTitle(tr("Compared with the expected picture"));
-  auto* const swipe = new PictureSwipe(QImage(expected), actual, tr("Expected"), tr("Now"), dialog_);
+  auto* const swipe =
+      new PictureSwipe(compared.expected, compared.actual, tr("Expected"), tr("Now"), dialog_);
   connect(&swipe->handle(), &SwipeHandle::escaped, dialog_, &QDialog::reject);
   QWidget* pictures = swipe;
-  if (!difference.isEmpty()) {
+  if (!compared.difference.isNull()) {
     auto* const tabs = new QTabWidget(dialog_);
     tabs->addTab(swipe, tr("Expected and now"));
-    tabs->addTab(scrolled(difference), tr("Difference"));
+    tabs->addTab(scrolled(compared.difference), tr("Difference"));
     pictures = tabs;
   }
   auto* const list = new QListWidget(dialog_);
   list->setAccessibleName(tr("What changed"));
   list->setWordWrap(true);
-  list->addItems(changes);
+  list->addItems(compared.changes);
   int rows_px = 2 * list->frameWidth();
   for (int row = 0; row < list->count(); ++row) rows_px += list->sizeHintForRow(row);
   list->setFixedHeight(std::min(rows_px, kMostListPx));
-  list->setVisible(!changes.isEmpty());
+  list->setVisible(!compared.changes.isEmpty());
   auto* const close = new QPushButton(tr("Close"), dialog_);
   giveRoles(*close, {});
   connect(close, &QPushButton::clicked, dialog_, &QDialog::reject);
-  dialog_->setLayout(columnOf(
-      {textLabel(onOneLine(sentence), dialog_), {pictures, 1}, list, rowOf({LayoutItem::rest(), close})}));
+  dialog_->setLayout(columnOf({textLabel(onOneLine(compared.sentence), dialog_),
+                               {pictures, 1},
+                               list,
+                               rowOf({LayoutItem::rest(), close})}));
   dialog_->resize(dialog_->sizeHint().boundedTo(context_.window.screen()->availableSize() * kMostOfScreen));
   swipe->handle().setFocus();
   dialog_->open();

@@ -6,8 +6,10 @@
 #include <QDialog>
 #include <QPointer>
 
+#include "suite/facts.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
+#include "work/workers.h"
 
 namespace mapwright::window {
 
@@ -27,16 +29,18 @@ class ExpectedController : public Controller {
 
  private:
   struct Comparing;
+  struct Compared;
   void askAndCompare();
   void look();
   void onPicture();
-  void show(const QString& sentence, const QString& expected, const QImage& actual, const QString& difference,
-            const QStringList& changes);
+  static Compared compare(const QString& expected, const QString& actual, const suite::Facts& facts);
+  void show(const Compared& compared);
   void report(const QString& problem);
 
   WindowContext& context_;
   std::unique_ptr<Comparing> comparing_;  // null: nothing is drawn
   QPointer<QDialog> dialog_;
+  work::Tasks share_;  // comparing; goes first
 };
 
 }  // namespace mapwright::window
