@@ -39,6 +39,21 @@ TileRange touchedBy(const geometry::WorldRect& bounds, const Rules& rules) {
   return {{tileAt(reach.min_x), tileAt(reach.min_y)}, {tileAt(reach.max_x), tileAt(reach.max_y)}};
 }
 
+using OfTile = std::pair<Square, const SquareFindings*>;  // a square may lie in several tiles
+
+std::vector<map::SubmapId> mostFirst(std::span<const OfTile> square) {
+  std::map<map::SubmapId, std::uint64_t> cells_of;
+  for (const auto& [where, findings] : square) {
+    for (const Part& part : findings->submaps) cells_of[part.id] += part.cells;
+  }
+  std::vector<std::pair<map::SubmapId, std::uint64_t>> parts(cells_of.begin(), cells_of.end());
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<map::SubmapId> ids;
+  for (const auto& [id, cells] : parts) ids.push_back(id);
+  return ids;
+}
+
 }  // namespace
 
 int Coverage::most() const {
@@ -77,6 +92,44 @@ std::vector<SeenPlace> seenPlaces(const Coverage& coverage) {
     return std::tuple(b.seen_once, a.y, a.x) < std::tuple(a.seen_once, b.y, b.x);
   });
   return places;
+}
+
+Disagreement disagreementOf(Tiles tiles, const Rules& rules, std::size_t most_places) {
+  Disagreement found;
+  found.cell_m = rules.cell_m;
+  found.tolerance_cells = rules.tolerance_cells;
+  std::vector<OfTile> all;
+  for (const auto& [key, tile] : tiles) {
+    found.occupied_cells += tile->occupied_cells;
+    found.contradicted_cells += tile->contradicted_cells;
+    for (const auto& [square, findings] : tile->squares) all.emplace_back(square, &findings);
+  }
+  std::sort(all.begin(), all.end(), [](const OfTile& a, const OfTile& b) { return a.first < b.first; });
+  struct Candidate {
+    std::span<const OfTile> of_tiles;
+    std::uint64_t cells;
+    auto rank() const {
+      const Square square = of_tiles.front().first;
+      return std::tuple(~cells, square.y, square.x);
+    }
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+    std::uint64_t cells = 0;
+    for (; end < all.size() && all[end].first == all[first].first; ++end) cells += all[end].second->cells;
+    candidates.push_back({std::span(all).subspan(first, end - first), cells});
+  }
+  found.all_places = candidates.size();
+  const std::size_t listed = std::min(most_places, candidates.size());
+  std::partial_sort(candidates.begin(), candidates.begin() + std::ptrdiff_t(listed), candidates.end(),
+                    [](const Candidate& a, const Candidate& b) { return a.rank() < b.rank(); });
+  candidates.resize(listed);
+  for (const Candidate& candidate : candidates) {
+    const Square square = candidate.of_tiles.front().first;
+    found.places.push_back({square.x + 0.5, square.y + 0.5, candidate.cells, mostFirst(candidate.of_tiles)});
+  }
+  found.tiles = std::move(tiles);
+  return found;
 }
 
 bool Survey::InStrips::operator()(TileKey a, TileKey b) const {
@@ -232,36 +285,6 @@ bool Survey::makeAll(const std::shared_ptr<work::Workers>& workers, render::Dens
   tasks.waitForDone();
   for (const auto& [key, task] : in_progress) put(task, nullptr);
   return !cancelled;
-}
-
-Disagreement Survey::disagreement() const {
-  Disagreement found;
-  found.cell_m = rules_.cell_m;
-  found.tolerance_cells = rules_.tolerance_cells;
-  found.tiles = made_;
-  std::map<Square, SquareFindings> squares;
-  for (const auto& [key, tile] : made_) {
-    found.occupied_cells += tile->occupied_cells;
-    found.contradicted_cells += tile->contradicted_cells;
-    for (const auto& [square, findings] : tile->squares) {
-      SquareFindings& sum = squares[square];
-      sum.cells += findings.cells;
-      if (sum.submaps.empty()) {  // most squares lie in one tile
-        sum.submaps = findings.submaps;
-        continue;
-      }
-      std::vector<map::SubmapId> merged;
-      std::set_union(sum.submaps.begin(), sum.submaps.end(), findings.submaps.begin(), findings.submaps.end(),
-                     std::back_inserter(merged));
-      sum.submaps = std::move(merged);
-    }
-  }
-  for (auto& [square, findings] : squares)
-    found.places.push_back({square.x + 0.5, square.y + 0.5, findings.cells, std::move(findings.submaps)});
-  std::sort(found.places.begin(), found.places.end(), [](const Place& a, const Place& b) {
-    return std::tuple(b.cells, a.y, a.x) < std::tuple(a.cells, b.y, b.x);
-  });
-  return found;
 }
 
 Coverage Survey::coverage() const {

@@ -266,6 +266,17 @@ void eachSet(const std::uint64_t* row, Visit visit) {
   }
 }
 
+/// Set bits of a row in [first, end).
+std::uint32_t countBetween(const std::uint64_t* row, int first, int end) {
+  std::uint32_t count = 0;
+  for (int at = first; at < end; at = (at / 64 + 1) * 64) {
+    std::uint64_t word = row[at / 64] >> (at % 64);
+    if (const int length = end - at; length < 64) word &= (std::uint64_t(1) << length) - 1;
+    count += std::uint32_t(std::popcount(word));
+  }
+  return count;
+}
+
 void findSquares(const TileTask& task, const std::vector<Claims>& all, Tile& tile) {
   const SquareColumns columns(std::int64_t(task.key.column) * kTileCells, task.rules.cell_m);
   const SquareColumns rows(std::int64_t(task.key.row) * kTileCells, task.rules.cell_m);
@@ -283,9 +294,11 @@ void findSquares(const TileTask& task, const std::vector<Claims>& all, Tile& til
         hit[word] = claims.cells[at] & tile.contradicted[at];
       }
       eachSet(hit.data(), [&](int column) {
-        std::vector<map::SubmapId>& ids = tile.squares[{columns.square(column), rows.square(row)}].submaps;
-        if (ids.empty() || ids.back() != claims.id) ids.push_back(claims.id);
-        return columns.end(column);
+        const int end = columns.end(column);
+        std::vector<Part>& parts = tile.squares[{columns.square(column), rows.square(row)}].submaps;
+        if (parts.empty() || parts.back().id != claims.id) parts.push_back({claims.id, 0});
+        parts.back().cells += countBetween(hit.data(), column, end);
+        return end;
       });
     }
   }

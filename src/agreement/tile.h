@@ -54,9 +54,16 @@ struct Square {
 
 Square squareAt(double x, double y);
 
+/// A submap that disagrees: it holds so many of the cells that contradict occupied, or saw them free.
+struct Part {
+  map::SubmapId id;
+  std::uint32_t cells = 0;
+  bool operator==(const Part&) const = default;
+};
+
 struct SquareFindings {
-  std::uint64_t cells = 0;             // that contradict
-  std::vector<map::SubmapId> submaps;  // that hold one of them occupied, or saw it free; ascending
+  std::uint64_t cells = 0;    // that contradict
+  std::vector<Part> submaps;  // ascending ids
 };
 
 /// Tile (column, row) covers the lattice cells [column * kTileCells, (column + 1) * kTileCells) along x, and

@@ -48,7 +48,8 @@ using Cell = std::pair<std::int64_t, std::int64_t>;  // column (x), row (y) of t
 struct PlainReading {
   std::map<Cell, int> seen_by;
   std::set<Cell> occupied, contradicted;
-  std::map<std::pair<int, int>, std::pair<int, std::set<map::SubmapId>>> squares;
+  /// Cells that contradict in a square of 1 m, and in how many of them a submap disagrees.
+  std::map<std::pair<int, int>, std::pair<int, std::map<map::SubmapId, std::uint32_t>>> squares;
 };
 
 /// From the definition alone.
@@ -108,7 +109,7 @@ inline PlainReading plainReading(const std::vector<PlacedTexture>& submaps, cons
     }
     auto& [cells, submaps_there] = all.squares[squareOf(cell)];
     ++cells;
-    submaps_there.insert(who.begin(), who.end());
+    for (const map::SubmapId id : who) ++submaps_there[id];
   }
   return all;
 }

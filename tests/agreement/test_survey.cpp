@@ -74,6 +74,7 @@ class TestSurvey : public QObject {
   void findsWhatAPlainReadingFinds();
   void findsASubmapThatWasMoved();
   void ranksPlaces();
+  void ranksNoMorePlacesThanAskedFor();
   void makesAgainOnlyWhatChanged();
   void isTheSameAsMadeAnewAfterAnyChanges();
   void forgetsTasksThatAreOutdated();
@@ -96,7 +97,11 @@ void TestSurvey::findsWhatAPlainReadingFinds() {
     for (const Place& place : found.places) {
       const auto& [cells, ids] = expected.squares.at({int(std::floor(place.x)), int(std::floor(place.y))});
       QCOMPARE(place.cells, std::uint64_t(cells));
-      QVERIFY(std::vector<map::SubmapId>(ids.begin(), ids.end()) == place.submaps);
+      std::vector<std::pair<std::int64_t, map::SubmapId>> ranked;
+      for (const auto& [id, its_cells] : ids) ranked.emplace_back(-std::int64_t(its_cells), id);
+      std::sort(ranked.begin(), ranked.end());
+      QCOMPARE(place.submaps.size(), ranked.size());
+      for (std::size_t at = 0; at < ranked.size(); ++at) QVERIFY(place.submaps[at] == ranked[at].second);
     }
   }
 }
@@ -126,6 +131,23 @@ void TestSurvey::ranksPlaces() {
     QCOMPARE(std::pair(found.places[at].x, found.places[at].y), order[at]);
   QVERIFY((found.places[0].submaps == std::vector<map::SubmapId>{{0, 1}, {0, 3}}));
   QCOMPARE(found.places[0].cells, std::uint64_t(6));
+}
+
+void TestSurvey::ranksNoMorePlacesThanAskedFor() {
+  Survey survey;
+  QVERIFY(!survey.setSubmaps(someSubmaps(52, -25, 12.8, 8)));
+  complete(survey);
+  const Disagreement all = survey.disagreement();
+  QVERIFY(all.places.size() > 2);
+  QCOMPARE(all.all_places, all.places.size());
+  for (const std::size_t most : {std::size_t(0), std::size_t(2), all.places.size() + 1}) {
+    Disagreement some = agreement::disagreementOf(survey.made(), survey.rules(), most);
+    QCOMPARE(some.all_places, all.places.size());
+    QCOMPARE(some.places.size(), std::min(most, all.places.size()));
+    some.places.insert(some.places.end(), all.places.begin() + std::ptrdiff_t(some.places.size()),
+                       all.places.end());
+    QVERIFY(sameFindings(some, all));
+  }
 }
 
 void TestSurvey::makesAgainOnlyWhatChanged() {

@@ -94,8 +94,9 @@ void TestTile::findsWhatAPlainReadingFinds() {
       for (const auto& [square, findings] : tile.squares) {
         auto& [cells, ids] = found.squares[{square.x, square.y}];
         cells += int(findings.cells);
-        ids.insert(findings.submaps.begin(), findings.submaps.end());
-        QVERIFY(std::is_sorted(findings.submaps.begin(), findings.submaps.end()));
+        for (const agreement::Part& part : findings.submaps) ids[part.id] += part.cells;
+        QVERIFY(std::is_sorted(findings.submaps.begin(), findings.submaps.end(),
+                               [](const auto& a, const auto& b) { return a.id < b.id; }));
       }
     }
     QCOMPARE(seen, expected.seen_by.size());
