@@ -100,7 +100,9 @@ int wholeOf(const YAML::Node& node, const QString& key, int most) {
 }
 
 Quality qualityOf(const YAML::Node& node) {
-  if (!node.IsMap()) throw refusedAt(node.Mark(), SuiteText::tr("quality must be limits with their values."));
+  if (node.IsNull() || (node.IsScalar() && node.Scalar() == "false")) return {};
+  if (!node.IsMap())
+    throw refusedAt(node.Mark(), SuiteText::tr("quality must be limits with their values, or false."));
   Quality quality;
   std::set<std::string> seen;
   for (const auto& pair : node) {

@@ -65,6 +65,21 @@ class ReadSuiteTest : public QObject {
              4);
   }
 
+  void aViewSwitchesOffTheQualityOfTheDefaults() {
+    for (const char* off : {"false", "null", "~", ""}) {
+      const suite::Suite read =
+          good(std::string("defaults: {quality: {closures_over_m: 0.5, disagreement_over: 0.1}}\n"
+                           "views:\n"
+                           "  - {name: judged}\n"
+                           "  - name: drawn only\n"
+                           "    quality: ") +
+               off);
+      QVERIFY(read.views[0].quality.asked());
+      QVERIFY2(!read.views[1].quality.asked(), off);
+    }
+    QVERIFY(!good("defaults: {quality: false}\nviews:\n  - {name: a}").views[0].quality.asked());
+  }
+
   void whatIsWrongIsSaidWithItsPlace_data() {
     QTest::addColumn<QString>("yaml");
     QTest::addColumn<QString>("location");
@@ -100,6 +115,7 @@ class ReadSuiteTest : public QObject {
     row("half a tolerance", "views:\n  - {name: a, tolerance: 1.5}", in_view, "whole");
     row("a share", "views:\n  - {name: a, max_differing: -1}", in_view, "0 to 100");
     row("a quality that is a number", "views:\n  - {name: a, quality: 0.5}", "Line 2, column 24: ", "limits");
+    row("a quality that is true", "views:\n  - {name: a, quality: true}", "Line 2, column 24: ", "or false");
     row("a quality of nothing", "views:\n  - {name: a, quality: {}}", "Line 2, column 24: ", "or both");
     row("an unknown key of quality", "views:\n  - name: a\n    quality:\n      closures: 1",
         "Line 4, column 7: ", "\"closures\" of quality. Known: closures_over_m, disagreement_over");
