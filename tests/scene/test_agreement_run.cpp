@@ -59,6 +59,46 @@ class AgreementRunTest : public QObject {
     QCOMPARE(run.survey().disagreement().contradicted_cells, std::uint64_t(8 * 400));
   }
 
+  void itsFindingsAreRankedInTheBackground() {
+    AgreementRun run(std::make_shared<work::Workers>(2));
+    QVERIFY(run.foundAll() && run.found()->places.empty());
+    auto submaps = walls(9);
+    QVERIFY(!run.setSubmaps(submaps, 0));
+    QVERIFY(!run.foundAll());
+    run.go();
+    while (!run.survey().complete()) QCoreApplication::processEvents();
+    QTRY_VERIFY(run.foundAll());
+    QCOMPARE(run.found()->contradicted_cells, std::uint64_t(9 * 400));
+    const auto before = run.found();
+    QVERIFY(!run.setSubmaps(submaps, 0));  // nothing has changed
+    QVERIFY(run.foundAll());
+    submaps.resize(2);
+    QVERIFY(!run.setSubmaps(submaps, 0));
+    QVERIFY(!run.foundAll());
+    QCOMPARE(run.found(), before);  // until they are ranked
+    run.go();
+    QTRY_VERIFY(run.foundAll());
+    QCOMPARE(run.found()->contradicted_cells, std::uint64_t(400));
+    run.forget();
+    QVERIFY(run.found()->places.empty() && run.found()->tiles.empty());
+  }
+
+  void aRankingOfWhatWasForgottenIsNotTaken() {
+    AgreementRun run(std::make_shared<work::Workers>(1));
+    QVERIFY(!run.setSubmaps(walls(3), 0));
+    run.go();
+    QVERIFY(ended(run));  // the ranking has begun
+    run.forget();
+    QVERIFY(!run.setSubmaps(walls(1), 4));
+    run.go();
+    QSignalSpy progressed(&run, &AgreementRun::progressed);
+    while (!run.foundAll()) {
+      QVERIFY(progressed.wait());
+      QVERIFY(run.found()->contradicted_cells <= 400);
+    }
+    QCOMPARE(run.found()->tolerance_cells, 4);
+  }
+
   void stoppedItGoesOnWhereItWas() {
     AgreementRun run(std::make_shared<work::Workers>(1));
     QVERIFY(!run.setSubmaps(walls(50), 0));

@@ -3,11 +3,13 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 #include <QtTest>
 
 #include "test_program.h"
 #include "ui/slam/disagreement_dock.h"
+#include "ui/slam/work_pace.h"
 #include "ui/view/map_view.h"
 #include "window_bench.h"
 #include "window_parts.h"
@@ -51,6 +53,12 @@ struct Desk {
   void clickRow(int row) {
     QTest::mouseClick(dock.table()->viewport(), Qt::LeftButton, {},
                       dock.table()->visualRect(dock.model()->index(row, 0)).center());
+  }
+  /// The rows of the chosen place, of which there is none or one, and where it lies.
+  QPointF chosen() const {
+    const QModelIndexList rows = dock.table()->selectionModel()->selectedRows();
+    if (rows.size() != 1) return {};
+    return {dock.model()->place(rows[0].row()).x, dock.model()->place(rows[0].row()).y};
   }
   bool found() {
     return QTest::qWaitFor([this] { return dock.model()->rowCount() == 5; }, 10'000);
@@ -186,6 +194,123 @@ class TestWindowDisagreement : public QObject {
     desk.dock.allButton()->click();
     QVERIFY(!desk.dock.blinkButton()->isChecked());
     QCOMPARE(desk.shown(), (Shown{true, true, true}));
+  }
+
+  void theChosenPlaceAndItsStepStayWhereverItIsListed() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(2);
+    const QPointF chosen = desk.chosen();
+    desk.dock.nextButton()->click();
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{false, true, true}));
+    auto entries = contradicting();  // others come above it
+    entries[2].pose = geometry::poseFromYaw(60, -20, 0);
+    entries.push_back(entry(0, 3, 1, 60, -18));
+    desk.bench.robot->list(entries);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.dock.model()->rowCount(), 10, 20'000);
+    QCOMPARE(desk.dock.table()->currentIndex().row(), 7);
+    QCOMPARE(desk.chosen(), chosen);
+    QCOMPARE(desk.shown(), (Shown{false, true, true, true}));
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, false, true, true}));
+  }
+
+  void aPlaceThatGoesAndComesBackIsStillChosen() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(3);
+    const QPointF chosen = desk.chosen();
+    auto moved = contradicting();
+    moved[1].pose = geometry::poseFromYaw(0, 30, 0);
+    desk.bench.robot->list(moved);
+    QTRY_COMPARE(desk.dock.model()->rowCount(), 0);
+    QVERIFY(desk.dock.nextButton()->isVisible());  // or else there would be no way back to all
+    desk.bench.robot->list(contradicting());
+    QVERIFY(desk.found());
+    QCOMPARE(desk.chosen(), chosen);
+  }
+
+  void theListStaysWhereItIsScrolledTo() {
+    // A wall of 200 m: 200 places.
+    std::vector<map::SubmapEntry> entries;
+    for (int i = 0; i < 40; ++i) {
+      entries.push_back(entry(0, 2 * i, 1, i * 5, 0));
+      entries.push_back(entry(0, 2 * i + 1, 1, i * 5, 2));
+    }
+    Desk desk(entries);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.dock.model()->rowCount(), 200, 20'000);
+    desk.clickRow(2);
+    QScrollBar* const bar = desk.dock.table()->verticalScrollBar();
+    bar->setValue(bar->maximum() / 2);
+    const int scrolled = bar->value();
+    QVERIFY(scrolled > 0);
+    const QPointF chosen = desk.chosen();
+    entries[20].pose = geometry::poseFromYaw(50, 500, 0);
+    desk.bench.robot->list(entries);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.dock.model()->rowCount() < 200, 20'000);
+    QCOMPARE(bar->value(), scrolled);
+    QCOMPARE(desk.chosen(), chosen);
+  }
+
+  void whileARobotMovesNothingComesAndGoes() {
+    Desk desk;
+    QVERIFY(desk.found());
+    QStringList said;
+    for (int step = 0; step < 5; ++step) {
+      auto entries = contradicting();
+      entries[1].pose = geometry::poseFromYaw(0, 2 + 0.05 * (step % 2), 0);
+      entries[2].pose = geometry::poseFromYaw(60 + step, 0, 0);
+      desk.bench.robot->list(entries);
+      QTest::qWaitFor(
+          [&] {
+            if (said.isEmpty() || said.back() != desk.said()) said << desk.said();
+            if (desk.dock.workButton()->isVisible()) said << QStringLiteral("Cancel");
+            return desk.dock.toleranceBox()->isHidden();  // never
+          },
+          450);
+    }
+    for (const QString& text : said) {
+      QVERIFY2(text.contains(QStringLiteral("of the occupied cells")), qPrintable(text));
+      QVERIFY2(!text.contains(QStringLiteral("squares of the map")), qPrintable(text));
+    }
+    QTRY_VERIFY(!desk.said().contains(QStringLiteral("still being looked at")));
+  }
+
+  void noEndIsSaidBeforeAllIsLookedAt() {
+    Desk desk({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 30, 0)});
+    QTRY_COMPARE(desk.said(), QStringLiteral("No submaps contradict each other here."));
+    desk.bench.robot->list({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 0, 2)});
+    QTRY_COMPARE(desk.window.session()->submaps().placement({0, 1}, 0)->world_from_texture.x_m, 0.0);
+    QVERIFY2(!desk.said().startsWith(QStringLiteral("No submaps contradict")), qPrintable(desk.said()));
+    QVERIFY(desk.found());
+  }
+
+  void onlyWhatTakesLongAndAnEndThatLastsAreSaid() {
+    using Ms = WorkPace::Ms;
+    WorkPace pace;
+    QVERIFY(!pace.isLong() && !pace.isSettled() && !pace.changesIn());
+    pace.update(Ms(10), true, false);
+    QCOMPARE(pace.changesIn(), std::optional(WorkPace::kLong));
+    pace.update(Ms(10) + WorkPace::kLong - Ms(1), true, false);
+    QVERIFY(!pace.isLong());
+    QCOMPARE(pace.changesIn(), std::optional(Ms(1)));
+    pace.update(Ms(10) + WorkPace::kLong, true, false);
+    QVERIFY(pace.isLong() && !pace.changesIn());
+    // The first end is said at once.
+    pace.update(Ms(5000), false, true);
+    QVERIFY(!pace.isLong() && pace.isSettled() && !pace.changesIn());
+    // From then on one that lasts.
+    Ms now(5000);
+    for (int second = 0; second < 5; ++second) {
+      pace.update(now += Ms(300), true, false);
+      QVERIFY(!pace.isLong() && !pace.isSettled());
+      pace.update(now += Ms(700), false, true);
+      QVERIFY(!pace.isLong() && !pace.isSettled());
+    }
+    QCOMPARE(pace.changesIn(), std::optional(WorkPace::kQuiet));
+    pace.update(now + WorkPace::kQuiet, false, true);
+    QVERIFY(pace.isSettled() && !pace.changesIn());
   }
 
   void aNewSlamSessionEndsTheSteps() {

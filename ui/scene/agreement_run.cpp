@@ -10,29 +10,40 @@ constexpr int kTellEveryMs = 500;
 }  // namespace
 
 AgreementRun::AgreementRun(std::shared_ptr<work::Workers> workers, QObject* parent)
-    : QObject(parent), most_given_out_(std::size_t(workers->threads()) * 4), tasks_(std::move(workers)) {
+    : QObject(parent),
+      found_(std::make_shared<agreement::Disagreement>()),
+      most_given_out_(std::size_t(workers->threads()) * 4),
+      tasks_(workers),
+      rankers_(workers) {
   since_told_.start();
 }
 
-AgreementRun::~AgreementRun() { stop(); }
+AgreementRun::~AgreementRun() { halt(); }
+
+void AgreementRun::beginAnew(agreement::Survey survey) {
+  halt();
+  survey_ = std::move(survey);
+  oldest_ = of_found_ = ++version_;
+  found_ = std::make_shared<agreement::Disagreement>(agreement::disagreementOf({}, survey_.rules()));
+}
 
 std::optional<Fault> AgreementRun::setSubmaps(const std::vector<render::PlacedTexture>& submaps,
                                               int tolerance_cells) {
   agreement::Rules rules = survey_.rules();
   if (rules.tolerance_cells != tolerance_cells) {
-    stop();
     rules = {.tolerance_cells = tolerance_cells};
-    survey_ = agreement::Survey(rules);
+    beginAnew(agreement::Survey(rules));
   }
+  const std::size_t tiles_before = survey_.tiles();
   std::optional<Fault> fault = survey_.setSubmaps(submaps);
+  if (survey_.stale() > 0 || survey_.tiles() != tiles_before) ++version_;
   while (fault && rules.cell_m < agreement::kCoarsestCellM) {
     rules.cell_m = std::min(2 * rules.cell_m, agreement::kCoarsestCellM);
     agreement::Survey coarser(rules);
     fault = coarser.setSubmaps(submaps);
-    if (fault) continue;
-    stop();
-    survey_ = std::move(coarser);
+    if (!fault) beginAnew(std::move(coarser));
   }
+  if (survey_.complete()) rank();
   return fault;
 }
 
@@ -42,6 +53,11 @@ void AgreementRun::go() {
 }
 
 void AgreementRun::stop() {
+  halt();
+  rank();
+}
+
+void AgreementRun::halt() {
   running_ = false;
   cancelled_ = true;
   tasks_.drop();
@@ -53,8 +69,7 @@ void AgreementRun::stop() {
 }
 
 void AgreementRun::forget() {
-  stop();
-  survey_ = agreement::Survey();
+  beginAnew(agreement::Survey());
   cache_.clear();
 }
 
@@ -74,6 +89,35 @@ void AgreementRun::giveOut() {
   running_ = false;
   since_told_.start();
   Q_EMIT progressed();
+  rank();
+}
+
+void AgreementRun::rank() {
+  if (ranking_ || of_found_ == version_) return;
+  ranking_ = true;
+  rankers_.start(
+      work::Urgency::Wanted, [this, tiles = survey_.made(), rules = survey_.rules(), version = version_] {
+        auto found =
+            std::make_shared<agreement::Disagreement>(agreement::disagreementOf(tiles, rules, kMostPlaces));
+        const std::lock_guard lock(mutex_);
+        ranked_ = {std::move(found), version};
+        QMetaObject::invokeMethod(this, &AgreementRun::takeRanking, Qt::QueuedConnection);
+      });
+}
+
+void AgreementRun::takeRanking() {
+  Ranking ranked;
+  {
+    const std::lock_guard lock(mutex_);
+    ranked = std::exchange(ranked_, {});
+  }
+  ranking_ = false;
+  if (ranked.version >= oldest_) {
+    found_ = std::move(ranked.found);
+    of_found_ = ranked.version;
+    Q_EMIT progressed();
+  }
+  if (!running_) rank();  // what came meanwhile
 }
 
 void AgreementRun::takeOver() {
@@ -85,7 +129,7 @@ void AgreementRun::takeOver() {
   for (Made& one : made) {
     const auto task = given_out_.find(one.generation);
     if (task == given_out_.end()) continue;
-    survey_.put(task->second, std::move(one.tile));
+    if (survey_.put(task->second, std::move(one.tile))) ++version_;
     given_out_.erase(task);
   }
 }
@@ -97,6 +141,7 @@ void AgreementRun::collect() {
   if (!running_ || since_told_.elapsed() < kTellEveryMs) return;
   since_told_.start();
   Q_EMIT progressed();
+  rank();
 }
 
 }  // namespace mapwright::scene

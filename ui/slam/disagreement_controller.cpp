@@ -37,14 +37,16 @@ DisagreementController::DisagreementController(WindowContext& context, QObject* 
     : Controller(parent),
       context_(context),
       dock_(new DisagreementDock(&context.window)),
-      run_(new scene::AgreementRun(context.workers, this)),
-      found_(std::make_unique<agreement::Disagreement>()) {
+      run_(new scene::AgreementRun(context.workers, this)) {
   context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 22,
                               .menu_rank = 32,
                               .idle = lacksForGood(context.current, {robot::Capability::Submaps})});
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &DisagreementController::look);
+  clock_.start();
+  later_.setSingleShot(true);
+  connect(&later_, &QTimer::timeout, this, &DisagreementController::showWork);
   blink_.setInterval(kBlinkMs);
   connect(&blink_, &QTimer::timeout, this, &DisagreementController::step);
   connect(run_, &scene::AgreementRun::progressed, this, &DisagreementController::showFindings);
@@ -82,7 +84,7 @@ DisagreementController::DisagreementController(WindowContext& context, QObject* 
   });
   connect(dock_->allButton(), &QPushButton::clicked, this, &DisagreementController::stopStepping);
   connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
-    if (dock_seen_) showText();
+    if (dock_seen_) showWork();
   });
 }
 
@@ -99,6 +101,8 @@ bool DisagreementController::isSeen() const {
 void DisagreementController::setSession(session::Session* session) {
   if (session_) session_->disconnect(this);
   leavePlace();
+  dock_->clearSelection();
+  pace_ = {};
   stepper_.setSession(session);
   session_ = session;
   run_->forget();
@@ -131,6 +135,7 @@ void DisagreementController::reset() { setTolerance(agreement::Rules().tolerance
 
 void DisagreementController::setTolerance(int cells) {
   dock_->setTolerance(cells, run_->survey().rules().cell_m);
+  pace_ = {};
   cancelled_ = false;
   outdated_ = true;
   look();
@@ -149,7 +154,7 @@ bool DisagreementController::escape() {
 
 void DisagreementController::lookSoon() {
   if (stepping_) return;
-  outdated_ = true;
+  if (!std::exchange(outdated_, true) && isSeen()) showWork();
   if (!soon_.isActive() && isSeen()) soon_.start(std::max(kSoonMs, soon_.interval()));
 }
 
@@ -190,7 +195,9 @@ QString DisagreementController::absence() const {
 }
 
 QString DisagreementController::sentence() const {
-  const agreement::Disagreement& found = *found_;
+  const agreement::Disagreement& found = *run_->found();
+  const agreement::Survey& survey = run_->survey();
+  const bool progress = !survey.complete() && survey.tiles() > 0 && (cancelled_ || pace_.isLong());
   QStringList parts;
   if (const QString why = absence(); !why.isEmpty()) {
     parts << why;
@@ -199,11 +206,16 @@ QString DisagreementController::sentence() const {
                  .arg(words::fixed(100 * found.share(), found.share() < 0.01 ? 2 : 1),
                       countText(qint64(found.contradicted_cells)), countText(qint64(found.occupied_cells)),
                       words::fixed(100 * found.cell_m, 0));
-  } else if (run_->survey().complete()) {
+    if (!pace_.isSettled() && !progress) parts << tr("The map is still being looked at.");
+    if (found.all_places > found.places.size())
+      parts << tr("The worst %1 of %2 places are listed.")
+                   .arg(countText(qint64(found.places.size())), countText(qint64(found.all_places)));
+  } else if (pace_.isSettled()) {
     parts << tr("No submaps contradict each other here.");
+  } else if (!progress) {
+    parts << tr("No contradiction was found so far.");
   }
-  const agreement::Survey& survey = run_->survey();
-  if (!survey.complete() && survey.tiles() > 0) {
+  if (progress) {
     parts << tr("%1 of %2 squares of the map are looked at so far.")
                  .arg(countText(qint64(survey.tiles() - survey.stale())), countText(qint64(survey.tiles())));
   }
@@ -222,28 +234,34 @@ QString DisagreementController::sentence() const {
 }
 
 void DisagreementController::showFindings() {
-  agreement::Disagreement found;
-  if (session_) found = run_->survey().disagreement();
+  const std::shared_ptr<const agreement::Disagreement> found = run_->found();
   // The layers would cover what the steps show.
-  const auto tiles =
-      stepper_.steps() || !session_ ? nullptr : std::make_shared<agreement::Tiles>(std::move(found.tiles));
-  context_.scene.setAgreement(tiles, found.cell_m);
-  const agreement::Survey& survey = run_->survey();
-  using Work = DisagreementDock::Work;
-  const bool stopped = session_ && cancelled_ && !survey.complete();
-  dock_->setWork(run_->running() ? Work::Goes
-                 : stopped       ? Work::Stopped
-                                 : Work::Done,
-                 survey.tiles() == 0 ? 0 : 1 - double(survey.stale()) / double(survey.tiles()));
-  dock_->setTolerance(dock_->tolerance(), survey.rules().cell_m);
-  dock_->setPlaces(std::move(found.places));
-  *found_ = std::move(found);
-  showText();
+  const bool covers = stepper_.steps() || !session_;
+  context_.scene.setAgreement(
+      covers ? nullptr : std::shared_ptr<const agreement::Tiles>(found, &found->tiles), found->cell_m);
+  dock_->setTolerance(dock_->tolerance(), run_->survey().rules().cell_m);
+  dock_->setPlaces({found, &found->places});
+  showWork();
 }
 
-void DisagreementController::showText() { dock_->setText(sentence()); }
+void DisagreementController::showWork() {
+  const agreement::Survey& survey = run_->survey();
+  const bool all = run_->foundAll(), stopped = session_ && cancelled_ && !survey.complete();
+  pace_.update(WorkPace::Ms(clock_.elapsed()), isSeen() && !all && !stopped, session_ && all && !outdated_);
+  using Work = DisagreementDock::Work;
+  dock_->setWork(stopped          ? Work::Stopped
+                 : pace_.isLong() ? Work::Goes
+                                  : Work::Done,
+                 survey.tiles() == 0 ? 0 : 1 - double(survey.stale()) / double(survey.tiles()));
+  dock_->setText(sentence());
+  if (const auto wait = pace_.changesIn()) {
+    later_.start(*wait);
+  } else {
+    later_.stop();
+  }
+}
 
-void DisagreementController::goTo(const agreement::Place& place) {
+void DisagreementController::goTo(agreement::Place place) {
   stopStepping();
   place_ = std::make_unique<agreement::Place>(place);
   const geometry::WorldRect square{place.x - 0.5, place.y - 0.5, place.x + 0.5, place.y + 0.5};

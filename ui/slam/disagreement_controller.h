@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QString>
 #include <QTimer>
@@ -13,11 +14,11 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 #include "ui/slam/submap_stepper.h"
+#include "ui/slam/work_pace.h"
 
 namespace mapwright::agreement {
-struct Disagreement;
 struct Place;
-}  // namespace mapwright::agreement
+}
 namespace mapwright::scene {
 class AgreementRun;
 }
@@ -45,10 +46,10 @@ class DisagreementController : public Controller {
   void lookSoon();
   void look();
   void showFindings();
-  void showText();
+  void showWork();
   QString sentence() const;
   QString absence() const;
-  void goTo(const agreement::Place& place);
+  void goTo(agreement::Place place);
   void leavePlace();
   void step();
   void stopStepping();
@@ -59,10 +60,11 @@ class DisagreementController : public Controller {
   DisagreementDock* dock_;
   scene::AgreementRun* run_;
   QPointer<session::Session> session_;
-  QTimer soon_, blink_;
+  QTimer soon_, blink_, later_;
+  QElapsedTimer clock_;
+  WorkPace pace_;
   bool dock_seen_ = false, cancelled_ = false, outdated_ = true;
   QString trouble_;
-  std::unique_ptr<agreement::Disagreement> found_;  // without places and tiles
   SubmapStepper stepper_;
   bool stepping_ = false;                    // what is shown and hidden just now changes no findings
   std::unique_ptr<agreement::Place> place_;  // that the user went to; null = none

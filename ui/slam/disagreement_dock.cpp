@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 
 #include "sentences/plural.h"
@@ -37,9 +38,9 @@ QString submapNames(const std::vector<map::SubmapId>& ids) {
 
 }  // namespace
 
-void PlacesModel::setPlaces(std::vector<agreement::Place> places) {
+void PlacesModel::setPlaces(Places places) {
   const bool same =
-      std::equal(places.begin(), places.end(), places_.begin(), places_.end(),
+      std::equal(places->begin(), places->end(), places_->begin(), places_->end(),
                  [](const agreement::Place& a, const agreement::Place& b) {
                    return a.x == b.x && a.y == b.y && a.cells == b.cells && a.submaps == b.submaps;
                  });
@@ -50,15 +51,15 @@ void PlacesModel::setPlaces(std::vector<agreement::Place> places) {
 }
 
 int PlacesModel::rowOf(const agreement::Place& place) const {
-  const auto found = std::find_if(places_.begin(), places_.end(), [&](const agreement::Place& other) {
+  const auto found = std::find_if(places_->begin(), places_->end(), [&](const agreement::Place& other) {
     return other.x == place.x && other.y == place.y;
   });
-  return found == places_.end() ? -1 : int(found - places_.begin());
+  return found == places_->end() ? -1 : int(found - places_->begin());
 }
 
 QVariant PlacesModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  const agreement::Place& place = places_[std::size_t(index.row())];
+  const agreement::Place& place = this->place(index.row());
   const bool submaps = index.column() == SubmapsColumn;
   if (role == Qt::TextAlignmentRole)
     return int((submaps ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -151,7 +152,7 @@ DisagreementDock::DisagreementDock(QWidget* parent)
   connect(table_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { Q_EMIT placeWanted(index.row()); });
   setTolerance(kTolerances.back(), agreement::Rules().cell_m);
-  setPlaces({});
+  setPlaces(std::make_shared<std::vector<agreement::Place>>());
   setWork(Work::Done, 1);
   setSteps(false, false, {});
 }
@@ -162,15 +163,24 @@ void DisagreementDock::setText(const QString& text) {
   if (text != summary_->text()) summary_->setText(text);
 }
 
-void DisagreementDock::setPlaces(std::vector<agreement::Place> places) {
-  table_->setVisible(!places.empty());
-  steps_->setVisible(!places.empty());
-  const QModelIndex chosen = table_->currentIndex();
-  const std::optional<agreement::Place> before =
-      chosen.isValid() ? std::optional(model_->place(chosen.row())) : std::nullopt;
+void DisagreementDock::setPlaces(PlacesModel::Places places) {
+  table_->setVisible(!places->empty());
+  steps_->setVisible(!places->empty() || blink_->isEnabled());
+  const QModelIndex current = table_->currentIndex();
+  if (current.isValid()) chosen_ = model_->place(current.row());
+  const bool in_view =
+      current.isValid() && table_->viewport()->rect().intersects(table_->visualRect(current));
+  const int row_before = current.row(), top_before = table_->verticalScrollBar()->value();
   model_->setPlaces(std::move(places));
-  if (const int row = before ? model_->rowOf(*before) : -1; row >= 0)
-    table_->setCurrentIndex(model_->index(row, 0));
+  const int row = chosen_ ? model_->rowOf(*chosen_) : -1;
+  if (row < 0 || row == table_->currentIndex().row()) return;
+  table_->setAutoScroll(false);  // the user may look at others
+  table_->setCurrentIndex(model_->index(row, 0));
+  table_->setAutoScroll(true);
+  table_->doItemsLayout();
+  const int step =
+      table_->verticalScrollMode() == QAbstractItemView::ScrollPerItem ? 1 : table_->rowHeight(row);
+  table_->verticalScrollBar()->setValue(top_before + (in_view ? (row - row_before) * step : 0));
 }
 
 void DisagreementDock::setWork(Work work, double share_made) {
@@ -183,6 +193,7 @@ void DisagreementDock::setWork(Work work, double share_made) {
 void DisagreementDock::setSteps(bool possible, bool stepping, const QString& text) {
   for (QPushButton* button : {blink_, next_}) button->setEnabled(possible);
   all_->setEnabled(stepping);
+  steps_->setVisible(possible || model_->rowCount() > 0);
   shown_->setText(text);
 }
 
@@ -202,6 +213,7 @@ void DisagreementDock::setTolerance(int cells, double cell_m) {
 int DisagreementDock::tolerance() const { return tolerance_->currentData().toInt(); }
 
 void DisagreementDock::clearSelection() {
+  chosen_.reset();
   table_->setCurrentIndex({});
   table_->clearSelection();
 }

@@ -2,6 +2,8 @@
 // one.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <QAbstractTableModel>
@@ -27,20 +29,21 @@ class PlacesModel : public QAbstractTableModel {
   enum Column { CellsColumn, XColumn, YColumn, SubmapsColumn, kColumns };
   using QAbstractTableModel::QAbstractTableModel;
 
-  void setPlaces(std::vector<agreement::Place> places);
-  const agreement::Place& place(int row) const { return places_[std::size_t(row)]; }
+  using Places = std::shared_ptr<const std::vector<agreement::Place>>;  // never null
+  void setPlaces(Places places);
+  const agreement::Place& place(int row) const { return (*places_)[std::size_t(row)]; }
   /// -1 = not listed.
   int rowOf(const agreement::Place& place) const;
 
   int rowCount(const QModelIndex& parent = {}) const override {
-    return parent.isValid() ? 0 : int(places_.size());
+    return parent.isValid() ? 0 : int(places_->size());
   }
   int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  std::vector<agreement::Place> places_;
+  Places places_ = std::make_shared<std::vector<agreement::Place>>();
 };
 
 class DisagreementDock : public QDockWidget {
@@ -50,7 +53,9 @@ class DisagreementDock : public QDockWidget {
   ~DisagreementDock() override;
 
   void setText(const QString& text);  // plain
-  void setPlaces(std::vector<agreement::Place> places);
+  /// The selected place stays selected and where it is seen, though it may have another row; one that is
+  /// gone is selected again when it comes back.
+  void setPlaces(PlacesModel::Places places);
   enum class Work { Done, Goes, Stopped };
   void setWork(Work work, double share_made);
   /// `text`: which submap is shown; empty: all are. `possible`: a place is chosen.
@@ -77,6 +82,7 @@ class DisagreementDock : public QDockWidget {
 
  private:
   PlacesModel* model_;
+  std::optional<agreement::Place> chosen_;
   QComboBox* tolerance_;
   QCheckBox* layer_;
   QLabel* summary_;
