@@ -16,6 +16,7 @@
 #include "app/suite_quality.h"
 #include "robot/pose_graph_source.h"
 #include "scene/layer.h"
+#include "scene/map_theme.h"
 #include "test_program.h"
 
 namespace test_snapshot_content {
@@ -290,6 +291,33 @@ class SnapshotContentTest : public QObject {
     }
     QVERIFY(undisturbed.size() > 100);
     QVERIFY(bytesOf("busy.png") == undisturbed);
+  }
+
+  void coloursChangeNothingElse() {
+    const QRgb unknown = scene::lightMapTheme().map.unknown;
+    QImage normal;
+    for (const char* colors : {"normal", "trajectory", "age", "version"}) {
+      app::SnapshotArguments asked = words("colours.png");
+      asked.mode = "submaps";
+      asked.colors = colors;
+      begin(asked);
+      robot_->say(listOf(2, "u"));
+      QTRY_VERIFY(answeredAndFinished());
+      QCOMPARE(exitCode(), int(app::kDone));
+      const QImage picture(folder_.filePath(QStringLiteral("colours.png")));
+      if (normal.isNull()) normal = picture;
+      QCOMPARE(picture.size(), normal.size());
+      int observed = 0, tinted = 0;
+      for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+          QCOMPARE(picture.pixel(x, y) == unknown, normal.pixel(x, y) == unknown);
+          observed += picture.pixel(x, y) != unknown;
+          tinted += picture.pixel(x, y) != normal.pixel(x, y);
+        }
+      }
+      QVERIFY(observed > 100);
+      QCOMPARE(tinted, QByteArray(colors) == "normal" ? 0 : observed);
+    }
   }
 
   void aPictureThatIsNotFinishedInTimeIsWrittenAsFarAsItIs_data() {

@@ -1,6 +1,7 @@
 // The inspector in the window: what is never cut, counts that agree, the frame on the map.
 #include <limits>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTreeView>
@@ -137,6 +138,21 @@ class TestWindowInspector : public QObject {
       ++looked_at;
     }
     QVERIFY(looked_at > 5);
+  }
+
+  void choosesTheColoursOfSubmaps() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    auto* const colors = window.findChild<QComboBox*>(QStringLiteral("colors"));
+    QVERIFY(colors);
+    QCOMPARE(colors->count(), 6);
+    colors->setCurrentText(QStringLiteral("Age"));
+    QCOMPARE(window.mapScene()->colorMode(), render::ColorMode::Age);
+    QVERIFY(bench.action("colorsAge")->isChecked());
+    bench.action("colorsTrajectory")->trigger();
+    QCOMPARE(colors->currentText(), QStringLiteral("Trajectory"));
+    bench.action("colorsNormal")->trigger();
+    QCOMPARE(colors->currentIndex(), 0);
   }
 
   void makesRoomForLongTotals() {
