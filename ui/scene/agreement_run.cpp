@@ -101,11 +101,11 @@ void AgreementRun::rank() {
             std::make_shared<agreement::Disagreement>(agreement::disagreementOf(tiles, rules, kMostPlaces));
         const std::lock_guard lock(mutex_);
         ranked_ = {std::move(found), version};
-        QMetaObject::invokeMethod(this, &AgreementRun::takeRanking, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &AgreementRun::onRanked, Qt::QueuedConnection);
       });
 }
 
-void AgreementRun::takeRanking() {
+void AgreementRun::onRanked() {
   Ranking ranked;
   {
     const std::lock_guard lock(mutex_);

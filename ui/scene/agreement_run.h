@@ -61,7 +61,7 @@ class AgreementRun : public QObject {
   void halt();
   void beginAnew(agreement::Survey survey);
   void rank();
-  void takeRanking();
+  void onRanked();
 
   agreement::Survey survey_;
   std::uint64_t version_ = 0, oldest_ = 0;  // of the tiles; rankings of older ones do not count any more
