@@ -84,6 +84,8 @@ QVariant PlacesModel::headerData(int section, Qt::Orientation orientation, int r
     return int((section == SubmapsColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole && section == CellsColumn)
     return tr("How many cells contradict within a square of 1 m");
+  if (role == Qt::ToolTipRole && section == SubmapsColumn)
+    return tr("Those that disagree, in most of the cells first");
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case CellsColumn:
@@ -93,7 +95,7 @@ QVariant PlacesModel::headerData(int section, Qt::Orientation orientation, int r
     case YColumn:
       return tr("y (m)");
     case SubmapsColumn:
-      return tr("Submaps that disagree");
+      return tr("Submaps");
   }
   return {};
 }
