@@ -26,6 +26,7 @@ namespace {
 using google::protobuf::internal::WireFormatLite;
 
 constexpr std::size_t kPieceBytes = 1 << 20;
+constexpr int kStages = 4;  // read, write, read again, compare
 
 tl::unexpected<Fault> no(Fault why) { return tl::unexpected(std::move(why)); }
 
@@ -152,11 +153,22 @@ Fault danglingIn(const map::PoseGraph& graph) {
   return {};
 }
 
+Progressed stageOf(const Progressed& whole, int stage) {
+  if (!whole) return {};
+  return [&whole, stage](double done) { whole((stage + done) / kStages); };
+}
+
 /// Makes the new file from the old one, record by record.
 class Dropping {
  public:
-  Dropping(const StateFile& file, const Dropped& what, const Cancelled& cancelled)
-      : file_(file), what_(what), cancelled_(cancelled), window_(*file.file), stream_(window_) {
+  Dropping(const StateFile& file, const Dropped& what, const Cancelled& cancelled,
+           const Progressed& progressed)
+      : file_(file),
+        what_(what),
+        cancelled_(cancelled),
+        progressed_(progressed),
+        window_(*file.file),
+        stream_(window_) {
     expected_ = without(what, *file.graph);
   }
 
@@ -168,7 +180,7 @@ class Dropping {
     disk::WrittenFile out(to);
     if (Fault why = copy(0, kSignatureBytes, out); why.any()) return why;
     for (Record record = first(); record.offset < file_.file->size(); record = next(record)) {
-      if (cancelled_ && cancelled_()) return fault::Cancelled;
+      if (over(record, 1)) return fault::Cancelled;
       Fault why;
       switch (fateOf(record, why)) {
         case Fate::Goes:
@@ -191,7 +203,8 @@ class Dropping {
   /// Reads the new file and compares it with what it should be.
   Fault compare(const std::string& path) {
     const Fault differs(faultText("pbstream", "The new file is not what it should be, and was removed."));
-    const auto made = readStateFile(path, cancelled_);
+    const auto made = readStateFile(path, cancelled_, stageOf(progressed_, 2));
+    if (cancelled_ && cancelled_()) return fault::Cancelled;
     if (!made) return {differs.code, {}, {made.error()}};
     if (!made->losses().empty()) return {differs.code, {}, {made->losses().front()}};
     std::vector<map::SubmapId> before, now;
@@ -202,11 +215,19 @@ class Dropping {
     if (before != now || !(*made->graph == expected_) || made->format_version != file_.format_version ||
         (file_.option_lists && made->option_lists != *file_.option_lists - receipt.trajectories))
       return differs;
-    return sameBytes(*made->file) ? Fault() : differs;
+    const bool same = sameBytes(*made->file);
+    if (cancelled_ && cancelled_()) return fault::Cancelled;
+    return same ? Fault() : differs;
   }
 
  private:
   enum class Fate { Stays, Goes, Rewritten };
+
+  /// True: cancelled.
+  bool over(const Record& record, int stage) const {
+    if (progressed_) stageOf(progressed_, stage)(double(record.offset) / double(file_.file->size()));
+    return cancelled_ && cancelled_();
+  }
 
   Record first() { return sized({0, kSignatureBytes, 0}); }
   Record next(const Record& record) { return sized({record.number + 1, record.end(), 0}); }
@@ -398,6 +419,7 @@ class Dropping {
     FileWindow made_window(made);
     Record now{0, kSignatureBytes, 0};
     for (Record record = first(); record.offset < file_.file->size(); record = next(record)) {
+      if (over(record, 3)) return false;
       Fault why;
       const Fate fate = fateOf(record, why);
       if (fate == Fate::Goes) continue;
@@ -424,6 +446,7 @@ class Dropping {
   const StateFile& file_;
   const Dropped& what_;
   const Cancelled& cancelled_;
+  const Progressed& progressed_;
   FileWindow window_;
   RecordStream stream_;
   map::PoseGraph expected_;
@@ -434,17 +457,17 @@ class Dropping {
 }  // namespace
 
 tl::expected<DropReceipt, Fault> drop(const std::string& from, const Dropped& what, const std::string& to,
-                                      const Cancelled& cancelled) {
+                                      const Cancelled& cancelled, const Progressed& progressed) {
   struct stat there {};
   // A link that leads nowhere counts as well.
   if (::lstat(to.c_str(), &there) == 0)
     return no(
         {faultText("pbstream", "%1 exists already. A state file is never written over: choose another name."),
          {to}});
-  const auto file = readStateFile(from, cancelled);
+  const auto file = readStateFile(from, cancelled, stageOf(progressed, 0));
   if (!file) return no(file.error());
   if (Fault why = refusalOf(*file, what); why.any()) return no(std::move(why));
-  Dropping dropping(*file, what, cancelled);
+  Dropping dropping(*file, what, cancelled, progressed);
   if (Fault why = danglingIn(dropping.expected()); why.any()) return no(std::move(why));
   if (Fault why = dropping.write(to); why.any()) return no(std::move(why));
   if (Fault why = dropping.compare(to); why.any()) {

@@ -3,25 +3,17 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <set>
 #include <string>
-#include <utility>
 
 #include <tl/expected.hpp>
 
 #include "fault/fault.h"
+#include "map/graph_parts.h"
 #include "pbstream/state_file.h"
 
 namespace mapwright::pbstream {
 
-struct Dropped {
-  std::set<std::int32_t> trajectories;
-  std::set<map::SubmapId> submaps;
-  /// Loop closures (ConstraintKind::Inter) between a submap and a node.
-  std::set<std::pair<map::SubmapId, map::NodeId>> closures;
-  bool empty() const { return trajectories.empty() && submaps.empty() && closures.empty(); }
-};
+using Dropped = map::GraphParts;
 
 /// What the new file lacks.
 struct DropReceipt {
@@ -33,8 +25,8 @@ struct DropReceipt {
 
 /// Writes a new file, `to`; nothing may be there. It is read again and compared before this succeeds. The
 /// error says why there is none: among others that `from` is damaged, that there is no such thing in it, or
-/// that something that stays would refer to what goes.
+/// that something that stays would refer to what goes. `progressed` is told how much of it is done, 0 to 1.
 tl::expected<DropReceipt, Fault> drop(const std::string& from, const Dropped& what, const std::string& to,
-                                      const Cancelled& cancelled = {});
+                                      const Cancelled& cancelled = {}, const Progressed& progressed = {});
 
 }  // namespace mapwright::pbstream

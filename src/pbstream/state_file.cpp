@@ -79,8 +79,8 @@ Fault readSubmapHead(RecordStream& stream, StoredSubmap& submap) {
 
 class Reading {
  public:
-  Reading(std::shared_ptr<const RecordFile> file, const Cancelled& cancelled)
-      : cancelled_(cancelled), window_(*file), stream_(window_) {
+  Reading(std::shared_ptr<const RecordFile> file, const Cancelled& cancelled, const Progressed& progressed)
+      : cancelled_(cancelled), progressed_(progressed), window_(*file), stream_(window_) {
     state_.file = std::move(file);
   }
 
@@ -97,8 +97,10 @@ class Reading {
       }
       first = false;
       noteContent(record);
-      if (record.number % kAskEvery == 0 && cancelled_ && cancelled_())
-        return tl::unexpected(Fault(fault::Cancelled));
+      if (record.number % kAskEvery == 0) {
+        if (cancelled_ && cancelled_()) return tl::unexpected(Fault(fault::Cancelled));
+        if (progressed_) progressed_(double(record.end()) / double(state_.file->size()));
+      }
       record = {record.number + 1, record.end(), 0};
     }
     if (first)
@@ -279,6 +281,7 @@ class Reading {
   }
 
   const Cancelled& cancelled_;
+  const Progressed& progressed_;
   FileWindow window_;
   RecordStream stream_;
   QCryptographicHash hash_{QCryptographicHash::Sha256};
@@ -354,10 +357,11 @@ std::vector<Fault> StateFile::losses() const {
   return all;
 }
 
-tl::expected<StateFile, Fault> readStateFile(const std::string& path, const Cancelled& cancelled) {
+tl::expected<StateFile, Fault> readStateFile(const std::string& path, const Cancelled& cancelled,
+                                             const Progressed& progressed) {
   auto file = RecordFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  return Reading(std::move(*file), cancelled).run();
+  return Reading(std::move(*file), cancelled, progressed).run();
 }
 
 }  // namespace mapwright::pbstream

@@ -76,10 +76,13 @@ struct StateFile {
 
 /// Asked now and then: true ends the reading with fault::Cancelled.
 using Cancelled = std::function<bool()>;
+/// Told now and then how much is done, 0 to 1.
+using Progressed = std::function<void(double done)>;
 
 /// Reads everything but cells, scans and sensor data. What comes before a cut is kept, and what is damaged is
 /// left out: `warnings` says so. The error: nothing of it can be used.
-tl::expected<StateFile, Fault> readStateFile(const std::string& path, const Cancelled& cancelled = {});
+tl::expected<StateFile, Fault> readStateFile(const std::string& path, const Cancelled& cancelled = {},
+                                             const Progressed& progressed = {});
 
 /// The kind of the record at which `stream` has just been started. More of its bytes may be consumed.
 RecordKind kindOf(RecordStream& stream, Fault& wrong);

@@ -66,6 +66,27 @@ class DropTest : public QObject {
   }
 
  private Q_SLOTS:
+  void howFarItIsOnlyGrowsAndItCanBeCancelledAnywhere() {
+    Dropped what;
+    what.submaps = {{0, 1}};
+    std::string bytes = wholeFile();
+    for (int i = 0; i < 3000; ++i) bytes += record(imuRecord(0));
+    const std::string from = folder_.write(bytes);
+    std::vector<double> told;
+    QVERIFY(drop(from, what, folder_.path("told.pbstream"), {}, [&](double done) { told.push_back(done); }));
+    QVERIFY(std::is_sorted(told.begin(), told.end()));
+    QVERIFY(told.front() < 0.1 && told.back() > 0.9 && told.back() <= 1);
+    for (const double at : {0.1, 0.4, 0.6, 0.9}) {
+      const std::string to = folder_.path("cancelled.pbstream");
+      double now = 0;
+      const auto receipt = drop(
+          from, what, to, [&] { return now >= at; }, [&](double done) { now = done; });
+      QVERIFY(!receipt);
+      QCOMPARE(inEnglish(receipt.error()), std::string("it was cancelled"));
+      QVERIFY(!QFileInfo::exists(QString::fromStdString(to)));
+    }
+  }
+
   void aClosureGoesAndOnlyThePoseGraphIsWrittenAnew() {
     Dropped what;
     what.closures = {{{0, 0}, {0, 3}}};
