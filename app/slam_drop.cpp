@@ -8,9 +8,8 @@
 #include "app/output.h"
 #include "app/robot_command.h"
 #include "app/robot_factory.h"
+#include "jobs/leave_out.h"
 #include "pbstream/drop.h"
-#include "sentences/fault_sentence.h"
-#include "words/figures.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -71,15 +70,8 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
   if (isStream(to))
     return wrong(Text::tr("%1: the new file is read back, so it cannot be written there.").arg(oneLine(to)));
   command.reportConnected();
-  const auto receipt =
-      pbstream::drop(from->toStdString(), *what, to.toStdString(), [&] { return command.time().over(); });
-  if (!receipt) {
-    const QString why = sentences::wordsOf(receipt.error());
-    return wrong(why.contains(to) ? why : QStringLiteral("%1: %2").arg(*from, why));
-  }
-  const auto counted = [](std::size_t count) {
-    return QString::fromStdString(words::grouped(std::int64_t(count)));
-  };
+  const auto receipt = jobs::leaveOut(*from, *what, to, [&] { return command.time().over(); });
+  if (!receipt) return wrong(receipt.error());
   if (args.json) {
     printJson(QJsonObject{{QStringLiteral("written"), to},
                           {QStringLiteral("dropped"),
@@ -92,16 +84,7 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
                           {QStringLiteral("records_rewritten"), qint64(receipt->rewritten)}});
     return kDone;
   }
-  printLine(
-      Text::tr("Left out: trajectories %1, submaps %2, nodes %3, INTER constraints %4, INTRA constraints %5; "
-               "records %6.")
-          .arg(counted(receipt->trajectories), counted(receipt->submaps), counted(receipt->nodes),
-               counted(receipt->inter), counted(receipt->intra), counted(receipt->records)));
-  printLine(Text::tr("%1 was written, read again and compared. Written anew: the pose graph%2; every other "
-                     "record kept its bytes.")
-                .arg(to, receipt->rewritten > 1 ? Text::tr(" and the options") : QString()));
-  printLine(
-      Text::tr("No pose has changed: Cartographer optimises them when it loads the file and runs again."));
+  for (const QString& said : jobs::leftOutSentences(*receipt, to)) printLine(said);
   return kDone;
 }
 

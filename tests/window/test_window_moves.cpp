@@ -358,6 +358,51 @@ class TestWindowMoves : public QObject {
     QVERIFY(controller.dialog()->said().contains(QLatin1String("is unknown")));
   }
 
+  void belowEachStoredMapIsARowThatOpensItsSubmaps() {
+    Desk desk;
+    MapsDock& dock = *part<MapsDock>(*desk.bench.window);
+    const MapsModel& model = *dock.model();
+    QStringList rows;
+    for (int row = 0; row < model.rowCount(); ++row) rows << model.index(row).data().toString();
+    QCOMPARE(rows.count(QStringLiteral("Its submaps")), 2);  // a mapping has none
+    const map::MapKey attic{map::MapKind::Stored, "2"};
+    const QModelIndex of_attic = model.index(model.indexOf(attic).row() + 1);
+    QVERIFY(model.isSubmaps(of_attic) && model.key(of_attic) == attic);
+    // Both ask where to, and nothing is opened here before it is downloaded.
+    const auto asksWhereTo = [&](const std::function<void()>& act) {
+      QString title;
+      QTimer looks;
+      QObject::connect(&looks, &QTimer::timeout, &looks, [&] {
+        QWidget* const asked = QApplication::activeModalWidget();
+        if (!asked) return;
+        title = asked->windowTitle();
+        asked->close();
+      });
+      looks.start(0);
+      act();
+      return title;
+    };
+    desk.bench.robot->maps.opened.clear();
+    dock.show();
+    dock.raise();
+    dock.list()->scrollTo(of_attic);
+    dock.list()->setCurrentIndex(of_attic);
+    QVERIFY(asksWhereTo([&] {
+              QTest::keyClick(dock.list(), Qt::Key_Return);
+            }).contains(QStringLiteral("<b>Attic</b>")));
+    const QPoint at = dock.list()->visualRect(of_attic).center();
+    QTest::mouseClick(dock.list()->viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(asksWhereTo([&] {
+              QTest::mouseDClick(dock.list()->viewport(), Qt::LeftButton, {}, at);
+            }).contains(QStringLiteral("<b>Attic</b>")));
+    QVERIFY(desk.bench.robot->maps.opened.empty());
+    // A robot that gives no files has no such rows.
+    desk.bench.robot->transferring = nullptr;
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    for (int row = 0; row < model.rowCount(); ++row) QVERIFY(!model.isSubmaps(model.index(row)));
+    QCOMPARE(model.maps(), 3);
+  }
+
   void aMapIsMadeOfAPictureWhosePlaceIsShown() {
     Desk desk;
     QTemporaryDir folder;

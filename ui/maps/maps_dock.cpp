@@ -24,7 +24,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr int kMapRowPx = 56, kMapSectionPx = 24, kMapPad = 4;
+constexpr int kMapRowPx = 56, kMapSectionPx = 24, kMapPad = 4, kSubmapsRowPx = 26, kSmallIconPx = 16;
 // Names from robots are left-aligned in any script, so that all rows begin at the same edge.
 constexpr int kLeft = int(Qt::AlignLeft) | int(Qt::AlignAbsolute) | int(Qt::AlignVCenter);
 
@@ -42,6 +42,7 @@ class MapRowDelegate : public QStyledItemDelegate {
  private:
   void paintSection(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
   void paintThumbnail(QPainter* painter, const QRect& box, const QModelIndex& index) const;
+  void paintSubmaps(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
 };
 
 QSize MapRowDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const {
@@ -51,6 +52,8 @@ QSize MapRowDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& i
     case MapsModel::RowKind::Live:
     case MapsModel::RowKind::Fetched:
       return {100, 40};
+    case MapsModel::RowKind::Submaps:
+      return {100, kSubmapsRowPx};
     case MapsModel::RowKind::Map:
       break;
   }
@@ -70,6 +73,7 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   style->drawControl(QStyle::CE_ItemViewItem, &row, painter, row.widget);
   paintRowState(painter, option.rect, option.state.testFlag(QStyle::State_Selected),
                 option.state.testFlag(QStyle::State_HasFocus));
+  if (kindOf(index) == MapsModel::RowKind::Submaps) return paintSubmaps(painter, option, index);
   const UiColors colors = appColors();
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
@@ -130,6 +134,34 @@ void MapRowDelegate::paintSection(QPainter* painter, const QStyleOptionViewItem&
   painter->setFont(font);
   painter->setPen(colors.secondary_text);
   painter->drawText(option.rect.adjusted(8, 4, -8, 0), kLeft, index.data().toString());
+  painter->restore();
+}
+
+/// Smaller than its map, its text below the map's.
+void MapRowDelegate::paintSubmaps(QPainter* painter, const QStyleOptionViewItem& option,
+                                  const QModelIndex& index) const {
+  const UiColors colors = appColors();
+  const QRect text = option.rect.adjusted(2 * kMapPad + MapsModel::kThumbnailPx + 2, 0, -kMapPad, 0);
+  QFont font = option.font;
+  font.setPointSizeF(font.pointSizeF() * 0.88);
+  const QFontMetrics metrics(font);
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  paintIcon(painter,
+            QRectF(text.left() - kMapPad - 2 - kSmallIconPx, text.center().y() + 0.5 - kSmallIconPx / 2.0,
+                   kSmallIconPx, kSmallIconPx),
+            QStringLiteral("submaps"), colors.secondary_text);
+  painter->setFont(font);
+  painter->setPen(colors.text);
+  const QString title = index.data().toString() + QLatin1Char(' ');
+  painter->drawText(text, kLeft | Qt::TextSingleLine,
+                    metrics.elidedText(title, Qt::ElideRight, text.width()));
+  const QRect rest = text.adjusted(metrics.horizontalAdvance(title + QLatin1Char(' ')), 0, 0, 0);
+  painter->setPen(colors.secondary_text);
+  if (rest.width() > 0)
+    painter->drawText(
+        rest, kLeft | Qt::TextSingleLine,
+        metrics.elidedText(index.data(MapsModel::DetailRole).toString(), Qt::ElideRight, rest.width()));
   painter->restore();
 }
 
@@ -206,9 +238,7 @@ MapsDock::MapsDock(QWidget* parent)
   };
   connect(refresh_, &QToolButton::clicked, this, ask);
   connect(retry_, &QPushButton::clicked, this, ask);
-  connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
-    if (const auto key = model_->key(index)) Q_EMIT openWanted(*key);
-  });
+  connect(list_, &QListView::doubleClicked, this, &MapsDock::activate);
   connect(list_, &QListView::customContextMenuRequested, this, &MapsDock::showMenu);
   connect(this, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (!visible && session_) session_->catalogue().releaseThumbnails();
@@ -225,6 +255,7 @@ MapsDock::~MapsDock() {
 
 void MapsDock::setSession(session::Session* session) {
   if (session_) {
+    session_->robot().disconnect(this);
     session_->catalogue().disconnect(this);
     session_->wholeMap().disconnect(this);
   }
@@ -232,6 +263,7 @@ void MapsDock::setSession(session::Session* session) {
   search_->clear();
   model_->setSession(session);
   if (session) {
+    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &MapsDock::refresh);
     connect(&session->catalogue(), &session::Catalogue::changed, this, &MapsDock::refresh);
     connect(&session->catalogue(), &session::Catalogue::thumbnailArrived, model_,
             &MapsModel::thumbnailArrived);
@@ -292,6 +324,16 @@ QString MapsDock::emptyText() const {
 QString MapsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
 QString MapsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
 
+void MapsDock::activate(const QModelIndex& index) {
+  const auto key = model_->key(index);
+  if (!key) return;
+  if (model_->isSubmaps(index)) {
+    Q_EMIT submapsWanted(*key);
+  } else {
+    Q_EMIT openWanted(*key);
+  }
+}
+
 void MapsDock::showMenu(const QPoint& at) {
   const auto key = model_->key(list_->indexAt(at));
   if (!key || !session_) return;
@@ -332,7 +374,7 @@ bool MapsDock::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (watched == list_ && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
-      if (const auto chosen = model_->key(list_->currentIndex())) Q_EMIT openWanted(*chosen);
+      activate(list_->currentIndex());
       return true;
     }
     if (watched == search_ && key == Qt::Key_Down) {

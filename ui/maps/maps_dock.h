@@ -35,6 +35,8 @@ class MapsDock : public QDockWidget {
 
  Q_SIGNALS:
   void openWanted(const mapwright::map::MapKey& key);
+  /// To be downloaded, and opened.
+  void submapsWanted(const mapwright::map::MapKey& key);
   void compareWanted(const mapwright::map::MapKey& key);
   void exportWanted(const mapwright::map::MapKey& key);
   /// The fetched map is no longer needed.
@@ -48,6 +50,7 @@ class MapsDock : public QDockWidget {
 
  private:
   void refresh();
+  void activate(const QModelIndex& index);
   void showMenu(const QPoint& at);
   QString emptyText() const;
 

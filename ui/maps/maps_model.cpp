@@ -138,6 +138,9 @@ std::vector<MapsModel::Row> MapsModel::build() {
       rows.push_back(std::move(heading));
     }
     rows.push_back(std::move(row));
+    if (!session_->robot().mapTransfer() || entry.key.kind != map::MapKind::Stored) continue;
+    Row below{RowKind::Submaps, entry.key, tr("Its submaps"), tr("download and open"), false, false, false};
+    rows.push_back(std::move(below));
   }
   return rows;
 }
@@ -205,6 +208,10 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
       if (row.kind == RowKind::Fetched)
         return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double-click to preview it.")
                                 .arg(row.title, row.detail));
+      if (row.kind == RowKind::Submaps)
+        return plainToolTip(
+            tr("Double-click to download this map with its data and to open its submaps, trajectories and "
+               "loop closures.\nThis changes nothing on the robot."));
       return plainToolTip(
           (local() ? tr("%1\n%2\nDouble-click to open it.")
                    : tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot."))
@@ -247,14 +254,14 @@ std::optional<map::MapKey> MapsModel::key(const QModelIndex& index) const {
   return row.kind == RowKind::Section ? std::nullopt : std::optional(row.key);
 }
 
-bool MapsModel::isFetched(const QModelIndex& index) const {
-  return index.isValid() && index.row() < int(rows_.size()) &&
-         rows_[std::size_t(index.row())].kind == RowKind::Fetched;
+bool MapsModel::is(const QModelIndex& index, RowKind kind) const {
+  return index.isValid() && index.row() < int(rows_.size()) && rows_[std::size_t(index.row())].kind == kind;
 }
 
 QModelIndex MapsModel::indexOf(const map::MapKey& key) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].kind != RowKind::Section && rows_[i].key == key) return index(int(i));
+    const RowKind kind = rows_[i].kind;
+    if (kind != RowKind::Section && kind != RowKind::Submaps && rows_[i].key == key) return index(int(i));
   }
   return {};
 }

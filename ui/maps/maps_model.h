@@ -1,4 +1,5 @@
-// The rows of the catalogue: the live map, maps fetched from it, sections, maps; filtered by the search text.
+// The rows of the catalogue: the live map, maps fetched from it, sections, maps, and below each map what of
+// its SLAM session can be downloaded; filtered by the search text.
 #pragma once
 
 #include <map>
@@ -15,7 +16,7 @@ namespace mapwright::window {
 class MapsModel : public QAbstractListModel {
   Q_OBJECT
  public:
-  enum class RowKind { Live, Fetched, Section, Map };
+  enum class RowKind { Live, Fetched, Section, Map, Submaps };
   enum Role {
     KindRole = Qt::UserRole,  // RowKind
     DetailRole,               // second line
@@ -43,7 +44,9 @@ class MapsModel : public QAbstractListModel {
   /// nullopt for sections.
   std::optional<map::MapKey> key(const QModelIndex& index) const;
   /// It was fetched from the robot's map and is not stored on the robot.
-  bool isFetched(const QModelIndex& index) const;
+  bool isFetched(const QModelIndex& index) const { return is(index, RowKind::Fetched); }
+  /// It stands for the submaps of the map above it, which has the same key.
+  bool isSubmaps(const QModelIndex& index) const { return is(index, RowKind::Submaps); }
   QModelIndex indexOf(const map::MapKey& key) const;
   int maps() const { return maps_; }    // of the robot
   int found() const { return found_; }  // rows that match the filter
@@ -57,6 +60,7 @@ class MapsModel : public QAbstractListModel {
     bool operator==(const Row&) const = default;
   };
   std::vector<Row> build();
+  bool is(const QModelIndex& index, RowKind kind) const;
   QPixmap thumbnail(const map::MapKey& key) const;
   bool local() const;
   /// A line for the tooltip; empty: there is a picture, or it is on its way.

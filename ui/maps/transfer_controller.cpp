@@ -197,9 +197,15 @@ void TransferController::fillMenu(QMenu* menu, const map::MapKey& key) {
       menu->addAction(tr("Download with its data…"), this, [this, key] { askWhereTo(key, false); });
   action->setEnabled(!dialog_);
   QAction* const opens =
-      menu->addAction(tr("Download and open its submaps…"), this, [this, key] { askWhereTo(key, true); });
+      menu->addAction(tr("Download and open its submaps…"), this, [this, key] { openSubmaps(key); });
   opens->setEnabled(!dialog_);
   opens->setToolTip(tr("Shows the SLAM state of this map from the downloaded file, without the robot"));
+}
+
+void TransferController::openSubmaps(const map::MapKey& key) {
+  // One at a time.
+  if (dialog_) return dialog_->raise();
+  askWhereTo(key, true);
 }
 
 void TransferController::askWhereTo(const map::MapKey& key, bool open) {

@@ -54,6 +54,8 @@ class TransferController : public Controller {
   void setSession(session::Session* session) override;
   /// Adds what can be done with this map to its menu.
   void fillMenu(QMenu* menu, const map::MapKey& key);
+  /// Asks where to download this map to, then opens its submaps.
+  void openSubmaps(const map::MapKey& key);
   /// Into this folder, which becomes a map's folder.
   /// `open`: then its submaps are opened.
   void download(const map::MapKey& key, const QString& name, const QString& folder, bool open = false);

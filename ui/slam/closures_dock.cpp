@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTableView>
 
 #include "sentences/plural.h"
@@ -73,6 +74,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
                              {ClosuresModel::TurnColumn},
                              {ClosuresModel::NodeColumn},
                              {ClosuresModel::ResidualColumn}});
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->installEventFilter(this);
   count_->setSecondary(true);
   auto* const body = new QWidget(this);
@@ -96,6 +98,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   connect(table_, &QTableView::clicked, this,
           [this](const QModelIndex& row) { Q_EMIT chosen(model_->row(row.row())); });
   connect(table_, &QTableView::doubleClicked, this, &ClosuresDock::openSubmap);
+  connect(table_, &QTableView::customContextMenuRequested, this, &ClosuresDock::showMenu);
   count();
 }
 
@@ -143,6 +146,23 @@ void ClosuresDock::openSubmap() {
   if (!by_submap_->isChecked() || !row.submap) return;
   filter_->setText(QString::fromStdString(map::toText(*row.submap)));
   by_submap_->setChecked(false);
+}
+
+void ClosuresDock::showMenu(const QPoint& at) {
+  // Opened by a key, it is about the current row, wherever that is.
+  const QModelIndex pointed = table_->indexAt(at);
+  const QModelIndex index = pointed.isValid() ? pointed : table_->currentIndex();
+  if (!index.isValid()) return;
+  ClosureRow row = model_->row(index.row());
+  QMenu menu(this);
+  menu.addAction(themedIcon(QStringLiteral("locate")), tr("Show on the map"), this,
+                 [this, row] { Q_EMIT chosen(row); });
+  if (by_submap_->isChecked() && row.submap) {
+    menu.addAction(tr("List its constraints"), this, &ClosuresDock::openSubmap);
+    row.node.reset();
+  }
+  Q_EMIT menuOpening(&menu, row);
+  menu.exec(table_->viewport()->mapToGlobal(at));
 }
 
 void ClosuresDock::showEvent(QShowEvent* event) {

@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QTableView;
 
 namespace mapwright::window {
@@ -38,6 +39,8 @@ class ClosuresDock : public QDockWidget {
  Q_SIGNALS:
   void chosen(const mapwright::window::ClosureRow& row);  // by a click, Enter or the arrow keys
   void onMapWanted(bool shown);
+  /// The menu of a row is about to open: others may add entries. A row of a submap has no node.
+  void menuOpening(QMenu* menu, const mapwright::window::ClosureRow& row);
   void shown();
 
  protected:
@@ -48,6 +51,7 @@ class ClosuresDock : public QDockWidget {
   void applyFilter();
   void count();
   void openSubmap();
+  void showMenu(const QPoint& at);
 
   ClosuresModel* model_;
   QLabel* summary_;

@@ -557,6 +557,10 @@ void InspectorDock::showMenu(const QPoint& at) {
     menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy details"), this,
                    [this, one] { Q_EMIT copyWanted(submapDetails(*session_, *one), tr("Details copied")); });
   }
+  const QModelIndexList rows = tree_->selectionModel()->selectedRows();
+  Q_EMIT menuOpening(
+      &menu, ids, rows.size() == 1 && model_->trajectory(filtered_->mapToSource(rows.front())).has_value());
+  menu.addSeparator();
   menu.addAction(tr("Expand all"), tree_, &QTreeView::expandAll);
   menu.addAction(tr("Collapse all"), this, [this] {
     tree_->collapseAll();

@@ -16,6 +16,7 @@ class QComboBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QSpinBox;
 class QToolButton;
 class QTreeView;
@@ -49,6 +50,9 @@ class InspectorDock : public QDockWidget {
   void locateWanted(mapwright::map::SubmapId id);
   void colorModeWanted(mapwright::render::ColorMode mode);
   void copyWanted(const QString& text, const QString& what);
+  /// The menu of these submaps (at least one, ascending) is about to open: others may add entries. `whole`:
+  /// of a trajectory as a whole.
+  void menuOpening(QMenu* menu, const std::vector<mapwright::map::SubmapId>& ids, bool whole);
   /// The counters were updated outside the session's usual rhythm: other
   /// displays of counters should update, too.
   void counted();

@@ -50,9 +50,11 @@
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/slam/closures_controller.h"
+#include "ui/slam/closures_dock.h"
 #include "ui/slam/disagreement_controller.h"
 #include "ui/slam/inspector_controller.h"
 #include "ui/slam/inspector_dock.h"
+#include "ui/slam/leave_out_controller.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
@@ -199,6 +201,11 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(messages_);
   make(files_, *placing_);
   make(export_, dependencies.yamls_naming);
+  auto* const leave_out = new LeaveOutController(context, this);
+  controllers_.push_back(leave_out);
+  connect(inspector_->dock(), &InspectorDock::menuOpening, leave_out, &LeaveOutController::addForSubmaps);
+  connect(closures_->dock(), &ClosuresDock::menuOpening, leave_out, &LeaveOutController::addForClosure);
+  connect(leave_out, &LeaveOutController::openWanted, files_, &FilesController::open);
   controllers_.push_back(new ExpectedController(context, this));
   make(connection_, ConnectionController::Means{dependencies.connect, dependencies.probes, dependencies.keys,
                                                 dependencies.has_secret});
@@ -237,6 +244,7 @@ void MainWindow::connectControllers() {
   connect(transfer_, &TransferController::openWanted, files_, &FilesController::open);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
+  connect(maps_->dock(), &MapsDock::submapsWanted, transfer_, &TransferController::openSubmaps);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
   connect(administration_, &AdministrationController::sessionExpected, connection_,

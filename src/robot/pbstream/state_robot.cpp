@@ -37,6 +37,7 @@ QStringList StateTopics::topicsOf(map::Stream stream) const {
 StateRobot::StateRobot(QString address, StateOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
+      path_(options.path),
       link_log_(lcStateFile(), options.path.toStdString()),
       reader_(new StateReader(options)),
       submaps_(reader_),

@@ -6,6 +6,7 @@
 #include "robot/pbstream/state_reader.h"
 #include "robot/pose_graph_source.h"
 #include "robot/robot.h"
+#include "robot/slam_file.h"
 #include "robot/wire/forwarded.h"
 #include "robot/wire/robot_link.h"
 
@@ -34,7 +35,7 @@ class StateGraph : public PoseGraphSource {
 };
 
 /// Nothing here accesses the disk: StateReader does.
-class StateRobot : public Robot {
+class StateRobot : public Robot, public SlamFile {
   Q_OBJECT
  public:
   StateRobot(QString address, StateOptions options, QObject* parent = nullptr);
@@ -47,6 +48,7 @@ class StateRobot : public Robot {
   void disconnectFromRobot() override;
   ConnectionState connection() const override { return state_; }
   RobotIdentity identity() const override { return identity_; }
+  QString slamFilePath() const override { return path_; }
   SubmapSource* submapSource() override { return &submaps_; }
   PoseGraphSource* poseGraphSource() override { return &graph_; }
   LiveTopics* liveTopics() override { return &topics_; }
@@ -55,7 +57,7 @@ class StateRobot : public Robot {
  private:
   void enter(ConnectionPhase phase, const Fault& reason = {});
 
-  QString address_;
+  QString address_, path_;
   bool wanted_ = false;  // connected, or about to be
   ConnectionState state_;
   RobotIdentity identity_;

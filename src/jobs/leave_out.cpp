@@ -1,0 +1,85 @@
+#include "jobs/leave_out.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include "pbstream/drop.h"
+#include "sentences/fault_sentence.h"
+#include "words/figures.h"
+
+namespace mapwright::jobs {
+namespace {
+
+class LeaveOutText {
+  Q_DECLARE_TR_FUNCTIONS(LeaveOut)
+};
+
+constexpr qint64 kTellEveryMs = 50;
+
+}  // namespace
+
+tl::expected<pbstream::DropReceipt, QString> leaveOut(const QString& from, const map::GraphParts& what,
+                                                      const QString& to,
+                                                      const std::function<bool()>& cancelled,
+                                                      const std::function<void(double)>& progressed) {
+  auto receipt = pbstream::drop(from.toStdString(), what, to.toStdString(), cancelled, progressed);
+  if (receipt) return std::move(*receipt);
+  const QString why = sentences::wordsOf(receipt.error());
+  return tl::unexpected(why.contains(to) ? why : QStringLiteral("%1: %2").arg(from, why));
+}
+
+QStringList leftOutSentences(const pbstream::DropReceipt& receipt, const QString& to) {
+  const auto counted = [](std::size_t count) {
+    return QString::fromStdString(words::grouped(std::int64_t(count)));
+  };
+  return {
+      LeaveOutText::tr("Left out: trajectories %1, submaps %2, nodes %3, INTER constraints %4, INTRA "
+                       "constraints %5; records %6.")
+          .arg(counted(receipt.trajectories), counted(receipt.submaps), counted(receipt.nodes),
+               counted(receipt.inter), counted(receipt.intra), counted(receipt.records)),
+      LeaveOutText::tr("%1 was written, read again and compared. Written anew: the pose graph%2; every other "
+                       "record kept its bytes.")
+          .arg(to, receipt.rewritten > 1 ? LeaveOutText::tr(" and the options") : QString()),
+      LeaveOutText::tr(
+          "No pose has changed: Cartographer optimises them when it loads the file and runs again.")};
+}
+
+LeaveOutJob::LeaveOutJob(const std::shared_ptr<work::Workers>& workers, QObject* parent)
+    : QObject(parent), share_(workers) {}
+
+LeaveOutJob::~LeaveOutJob() { cancel(); }
+
+void LeaveOutJob::start(const QString& from, const map::GraphParts& what, const QString& to) {
+  cancel();
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  running_ = true;
+  share_.startLong([this, cancelled = cancelled_, from, what, to] {
+    QElapsedTimer told;
+    const auto receipt = leaveOut(
+        from, what, to, [&] { return cancelled->load(); },
+        [&](double done) {
+          if (told.isValid() && told.elapsed() < kTellEveryMs) return;
+          told.start();
+          QMetaObject::invokeMethod(
+              this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
+        });
+    LeaveOutResult result{to, {}, {}, false};
+    if (receipt) {
+      result.said = leftOutSentences(*receipt, to);
+    } else {
+      result.error = receipt.error();
+      result.cancelled = cancelled->load();
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, result] {
+          running_ = false;
+          Q_EMIT finished(result);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace mapwright::jobs
+
+#include "moc_leave_out.cpp"
