@@ -62,8 +62,10 @@ Seen entryOf(const std::function<void()>& opens, bool triggers = false) {
     if (!menu) return;
     if (auto* const entry = menu->findChild<QAction*>(QStringLiteral("leaveOut"))) {
       seen = {true, entry->isEnabled(), entry->text(), entry->toolTip()};
-      if (triggers) menu->setActiveAction(entry);
-      if (triggers) return QTest::keyClick(menu, Qt::Key_Return);
+      if (triggers && seen.enabled) {
+        looks.stop();  // it may show a dialog
+        return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
+      }
     }
     menu->close();
   });
@@ -237,7 +239,8 @@ class TestWindowLeaveOut : public QObject {
     FileDesk desk;
     auto* const dock = part<ClosuresDock>(*desk.window);
     dock->toggleViewAction()->trigger();
-    QTRY_COMPARE(dock->model()->rowCount(), 2);
+    // Before the pose graph is there the rows have no ids.
+    QTRY_VERIFY(dock->model()->rowCount() == 2 && dock->model()->row(0).submap);
     QVERIFY(entryOf([&] { openMenu(*dock->table(), dock->model()->index(0, 0)); }, true).enabled);
     QTRY_VERIFY(desk.dialog());
     QCOMPARE(desk.offered().size(), 3);

@@ -259,7 +259,7 @@ void TransferController::download(const map::MapKey& key, const QString& name, c
             done->has_data
                 ? tr("%1 was downloaded to %2, %3.").arg(name, where, bytesText(done->bytes))
                 : tr("%1 was downloaded to %2 without data: the robot has none for it.").arg(name, where));
-        dialog_->accept();
+        delete dialog_;  // now: what is opened leaves the robot, and nothing is on its way
         if (open && done->has_data)
           Q_EMIT openWanted(QDir(done->folder).filePath(QStringLiteral("map.pbstream")));
       }));

@@ -1,5 +1,6 @@
 #include "ui/slam/leave_out_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QButtonGroup>
@@ -90,11 +91,13 @@ LeaveOutDialog::LeaveOutDialog(const QString& from, std::vector<LeaveOutChoice> 
   setTextColor(*note_, appColors().secondary_text);
   note_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   note_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  said_->hide();
+  said_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  said_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   makeLine(*progress_);
   progress_->setAccessibleName(tr("Progress"));
   auto* const browse = new QPushButton(tr("&Browse…"), this);
-  giveRoles(*write_, {browse, open_, cancel_});
+  giveRoles(*open_, {cancel_});
+  giveRoles(*write_, {browse, cancel_});
   open_->hide();
   auto* const path_label = new QLabel(tr("New &file"), this);
   path_label->setBuddy(path_);
@@ -139,7 +142,7 @@ LeaveOutDialog::LeaveOutDialog(const QString& from, std::vector<LeaveOutChoice> 
 }
 
 QString LeaveOutDialog::noteText() const { return note_->text(); }
-QString LeaveOutDialog::saidText() const { return said_->isHidden() ? QString() : said_->text(); }
+QString LeaveOutDialog::saidText() const { return said_->text(); }
 
 void LeaveOutDialog::sync() {
   const LeaveOutChoice& choice = choices_[std::size_t(group_->checkedId())];
@@ -186,7 +189,8 @@ void LeaveOutDialog::setRunning(bool running) {
 void LeaveOutDialog::say(const QString& text, bool wrong) {
   setTextColor(*said_, wrong ? appColors().error_text : appColors().secondary_text);
   said_->setText(text);
-  said_->setVisible(!text.isEmpty());
+  // Otherwise what is above would be squeezed.
+  if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) resize(width(), needed);
 }
 
 void LeaveOutDialog::onFinished(const jobs::LeaveOutResult& result) {
@@ -197,10 +201,9 @@ void LeaveOutDialog::onFinished(const jobs::LeaveOutResult& result) {
   form_->hide();
   setTextColor(*said_, appColors().text);
   said_->setText(result.said.join(QStringLiteral("\n\n")));
-  said_->show();
   write_->hide();
   open_->show();
-  giveRoles(*open_, {cancel_});
+  open_->setDefault(true);
   open_->setFocus();
   cancel_->setText(tr("Close"));
   adjustSize();
@@ -247,15 +250,17 @@ void LeaveOutController::addForSubmaps(QMenu* menu, const std::vector<map::Subma
 
 void LeaveOutController::add(QMenu& menu, const QString& text, std::vector<LeaveOutChoice> choices) {
   session::Session* const session = context_.current.session();
-  const bool may = session && !robot::slamFileOf(session->robot()).isEmpty() && !choices.empty();
+  const bool is_file = session && !robot::slamFileOf(session->robot()).isEmpty();
+  const bool may = is_file && !choices.empty();
   QAction* const action = menu.addAction(themedIcon(QStringLiteral("remove")), text, this,
                                          [this, choices = std::move(choices)] { ask(choices); });
   action->setObjectName(QStringLiteral("leaveOut"));
   action->setToolTip(tr("Write a new state file without it. The present one stays as it is."));
   allow(action, may,
-        tr("Only a Cartographer state file (.pbstream) that is open can be written again without "
-           "something, and this is none. Some robots give theirs: see \"Download and open its submaps\" in "
-           "the Maps panel."));
+        is_file ? tr("The pose graph has not been read yet.")
+                : tr("Only a Cartographer state file (.pbstream) that is open can be written again without "
+                     "something, and this is none. Some robots give theirs: see \"Its submaps\" in the Maps "
+                     "panel."));
   menu.setToolTipsVisible(true);
 }
 
