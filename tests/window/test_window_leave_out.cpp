@@ -174,6 +174,7 @@ class TestWindowLeaveOut : public QObject {
              qPrintable(asking.dialog.saidText()));
     QVERIFY(!asking.dialog.openButton()->isVisible());
     // Another name, and it goes on.
+    QVERIFY(asking.dialog.pathEdit() == asking.dialog.focusWidget());
     asking.dialog.pathEdit()->selectAll();
     QTest::keyClicks(asking.dialog.pathEdit(), QString::fromStdString(asking.folder.path("other.pbstream")));
     QVERIFY(asking.dialog.saidText().isEmpty());

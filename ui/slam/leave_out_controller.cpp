@@ -195,6 +195,7 @@ void LeaveOutDialog::say(const QString& text, bool wrong) {
 
 void LeaveOutDialog::onFinished(const jobs::LeaveOutResult& result) {
   setRunning(false);
+  path_->setFocus();  // it was lost while the form was disabled
   if (result.cancelled) return say(tr("Cancelled. Nothing was written."), true);
   if (!result.error.isEmpty()) return say(result.error, true);
   written_ = result.path;
