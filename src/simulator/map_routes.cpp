@@ -49,19 +49,9 @@ HttpAnswer bytesAnswer(std::string bytes, const Request& request) {
   return answer;
 }
 
-/// The binary map for an uploaded or drawn picture, used for localization.
-std::string pbstreamOf(const MapPicturePtr& picture) {
-  constexpr std::size_t kBytes = 200'000;
-  std::string bytes = "simulated pbstream of " + (picture ? picture->hash : "nothing") + '\n';
-  std::uint64_t seed = 7;
-  for (const char c : bytes) seed = mix(seed ^ static_cast<unsigned char>(c));
-  Dice dice(seed);
-  while (bytes.size() < kBytes) bytes += static_cast<char>(dice.next() & 0xFF);
-  return bytes;
-}
-
-std::string pbstreamOf(MapLibrary& library, const StoredMap& map) {
-  return map.carto_map ? *map.carto_map : pbstreamOf(library.pictureOf(map));
+/// What the robot positions itself by: what came with an uploaded map, or else made of its picture.
+std::shared_ptr<const std::string> pbstreamOf(MapLibrary& library, const StoredMap& map) {
+  return map.carto_map ? map.carto_map : library.stateFile(library.pictureOf(map));
 }
 
 /// The common members of all answers about a map.
@@ -210,7 +200,7 @@ HttpAnswer shownMap(const Robot& robot, const StoredMap& map) {
   addGrid(body, picture, robot.faults.faults().grid_fault);
   body.set("overlays", map.overlays ? *map.overlays : "");
   body.set("image_size", picture ? picture->png->size() : 0);
-  body.set("pbstream_size", pbstreamOf(robot.library, map).size());
+  body.set("pbstream_size", pbstreamOf(robot.library, map)->size());
   body.set("thumbnail_url", ownUrl(path + "/thumbnail"));
   body.set("image_url", ownUrl(path + ".png"));
   body.set("download_url", ownUrl(path + "/download"));
@@ -255,7 +245,7 @@ HttpAnswer downloadMap(const Robot& robot, const StoredMap& map, const Request&)
   Value body = mapValue(map);
   addGrid(body, picture);
   body.set("overlays", map.overlays ? *map.overlays : "");
-  body.set("carto_map", Value::Bytes{pbstreamOf(robot.library, map)});
+  body.set("carto_map", Value::Bytes{*pbstreamOf(robot.library, map)});
   body.set("occupancy_grid", Value::Bytes{faultyPng(*picture->png, robot.faults.faults())});
   return valueAnswer(200, body);
 }
@@ -269,7 +259,7 @@ HttpAnswer mapThumbnail(const Robot& robot, const StoredMap& map, const Request&
 }
 
 HttpAnswer mapPbstream(const Robot& robot, const StoredMap& map, const Request& request) {
-  return bytesAnswer(pbstreamOf(robot.library, map), request);
+  return bytesAnswer(*pbstreamOf(robot.library, map), request);
 }
 
 HttpAnswer staticFile(const Robot& robot, const Request& request) {
@@ -462,7 +452,7 @@ HttpAnswer taskThumbnail(const Robot& robot, const DrivenWay&, const PictureSpec
 
 HttpAnswer taskPbstream(const Robot& robot, const DrivenWay&, const PictureSpec& spec,
                         const Request& request) {
-  return bytesAnswer(pbstreamOf(robot.library.pictures().picture(spec)), request);
+  return bytesAnswer(*robot.library.stateFile(robot.library.pictures().picture(spec)), request);
 }
 
 constexpr Route kMapRoutes[] = {

@@ -13,6 +13,7 @@
 
 #include "simulator/pictures.h"
 #include "simulator/robot_state.h"
+#include "simulator/state_file.h"
 
 namespace mapwright::simulator {
 
@@ -84,6 +85,11 @@ class MapLibrary {
   MapPicturePtr thumbnailOf(const StoredMap& map) {
     return map.spec ? pictures_.thumbnail(*map.spec) : map.thumbnail;
   }
+  /// What the robot positions itself by on the map of `picture`, which may be null; made once.
+  std::shared_ptr<const std::string> stateFile(const MapPicturePtr& picture) {
+    return state_files_.get(picture ? picture->hash : std::string(),
+                            [&] { return std::make_shared<const std::string>(stateFileOf(picture)); });
+  }
   /// The current map as in /map, with 4 bits if the robot drew it. Null if there is none.
   MapPicturePtr livePicture();
 
@@ -100,6 +106,7 @@ class MapLibrary {
   const RobotState& state_;
   const std::uint32_t seed_;
   MapPictures pictures_;
+  Cache<std::string, std::shared_ptr<const std::string>> state_files_{8};  // by the hash of the picture
   mutable std::mutex mutex_;
   std::vector<StoredMap> maps_;       // ascending by id
   std::optional<StoredMap> current_;  // its present state; for a stored one always the same as the stored one

@@ -26,6 +26,7 @@
 #include "shot/map_shot.h"
 #include "shot/picture.h"
 #include "shot/view_facts.h"
+#include "suite/facts.h"
 #include "suite/judgement.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"

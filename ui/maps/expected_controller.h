@@ -6,10 +6,13 @@
 #include <QDialog>
 #include <QPointer>
 
-#include "suite/facts.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 #include "work/workers.h"
+
+namespace mapwright::suite {
+struct Facts;
+}
 
 namespace mapwright::window {
 
