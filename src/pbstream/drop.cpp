@@ -1,6 +1,12 @@
 #include "pbstream/drop.h"
 
 #include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -153,6 +159,58 @@ Fault danglingIn(const map::PoseGraph& graph) {
   return {};
 }
 
+Fault exists(const std::string& path) {
+  return {
+      faultText("pbstream", "%1 exists already. A state file is never written over: choose another name."),
+      {path}};
+}
+
+/// False, with errno: there is a file of that name already, or something else.
+bool rename(const std::string& from, const std::string& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  // File systems that know no such thing have links.
+  return ::link(from.c_str(), to.c_str()) == 0 && ::unlink(from.c_str()) == 0;
+}
+
+Fault notRenamed(const std::string& to) {
+  if (errno == EEXIST) return exists(to);
+  return {faultText("pbstream", "%1 cannot be written: %2."), {to, std::strerror(errno)}};
+}
+
+/// The same poses, also those that are not a number.
+bool sameBits(const geometry::Pose3& a, const geometry::Pose3& b) {
+  const auto same = [](double one, double other) {
+    return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z) && same(a.qx, b.qx) && same(a.qy, b.qy) &&
+         same(a.qz, b.qz) && same(a.qw, b.qw);
+}
+
+template <typename Item, typename Same>
+bool sameItems(const std::vector<Item>& a, const std::vector<Item>& b, Same same) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool sameGraph(const map::PoseGraph& a, const map::PoseGraph& b) {
+  const auto submap = [](const auto& one, const auto& other) {
+    return one.id == other.id && sameBits(one.pose, other.pose);
+  };
+  const auto node = [](const auto& one, const auto& other) {
+    return one.id == other.id && one.stamp_s == other.stamp_s && sameBits(one.pose, other.pose);
+  };
+  const auto trajectory = [&](const auto& one, const auto& other) {
+    return one.id == other.id && sameItems(one.nodes, other.nodes, node);
+  };
+  // The weights are bytes that were kept, and are compared with them.
+  const auto constraint = [](const auto& one, const auto& other) {
+    return one.submap == other.submap && one.node == other.node && one.kind == other.kind &&
+           sameBits(one.relative_pose, other.relative_pose);
+  };
+  return sameItems(a.trajectories, b.trajectories, trajectory) && sameItems(a.submaps, b.submaps, submap) &&
+         sameItems(a.constraints, b.constraints, constraint) && sameItems(a.landmarks, b.landmarks, submap);
+}
+
 Progressed stageOf(const Progressed& whole, int stage) {
   if (!whole) return {};
   return [&whole, stage](double done) { whole((stage + done) / kStages); };
@@ -212,7 +270,8 @@ class Dropping {
       if (!goes(what_, one.id)) before.push_back(one.id);
     }
     for (const StoredSubmap& one : made->submaps) now.push_back(one.id);
-    if (before != now || !(*made->graph == expected_) || made->format_version != file_.format_version ||
+    if (before != now || !sameGraph(*made->graph, expected_) ||
+        made->format_version != file_.format_version ||
         (file_.option_lists && made->option_lists != *file_.option_lists - receipt.trajectories))
       return differs;
     const bool same = sameBytes(*made->file);
@@ -460,21 +519,21 @@ tl::expected<DropReceipt, Fault> drop(const std::string& from, const Dropped& wh
                                       const Cancelled& cancelled, const Progressed& progressed) {
   struct stat there {};
   // A link that leads nowhere counts as well.
-  if (::lstat(to.c_str(), &there) == 0)
-    return no(
-        {faultText("pbstream", "%1 exists already. A state file is never written over: choose another name."),
-         {to}});
+  if (::lstat(to.c_str(), &there) == 0) return no(exists(to));
   const auto file = readStateFile(from, cancelled, stageOf(progressed, 0));
   if (!file) return no(file.error());
   if (Fault why = refusalOf(*file, what); why.any()) return no(std::move(why));
   Dropping dropping(*file, what, cancelled, progressed);
   if (Fault why = danglingIn(dropping.expected()); why.any()) return no(std::move(why));
-  if (Fault why = dropping.write(to); why.any()) return no(std::move(why));
-  if (Fault why = dropping.compare(to); why.any()) {
-    ::unlink(to.c_str());
-    return no(std::move(why));
-  }
-  return dropping.receipt;
+  // What has not been compared does not have the name, also if the program is killed.
+  const std::string aside = to + ".unchecked-" + std::to_string(::getpid());
+  Fault why = dropping.write(aside);
+  if (!why.any()) why = dropping.compare(aside);
+  // Somebody may have taken the name meanwhile.
+  if (!why.any() && !rename(aside, to)) why = notRenamed(to);
+  if (!why.any()) return dropping.receipt;
+  ::unlink(aside.c_str());
+  return no(std::move(why));
 }
 
 }  // namespace mapwright::pbstream

@@ -90,6 +90,11 @@ class Reading {
     bool first = true;
     while (const auto next = sizeOf(record)) {
       record.packed = *next;
+      if (record.packed == 0 && !first) {
+        record = afterZeros(record);
+        if (cancelled_ && cancelled_()) return tl::unexpected(Fault(fault::Cancelled));
+        continue;
+      }
       if (first) {
         if (Fault why = readHeader(record); why.any()) return tl::unexpected(std::move(why));
       } else {
@@ -125,6 +130,26 @@ class Reading {
     state_.cut = true;
     hash_.addData(viewOf(bytes.first(std::min(bytes.size(), kSizeBytes))));
     return std::nullopt;
+  }
+
+  /// Sizes that are 0, as a file has them that was not written to its end when the power went: one loss.
+  Record afterZeros(const Record& from) {
+    std::uint64_t zeros = 0;
+    for (bool more = true; more;) {
+      const auto bytes = window_.at(from.offset + zeros, kSizeBytes);
+      const auto end = std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0; });
+      zeros += std::uint64_t(end - bytes.begin());
+      more = end == bytes.end() && !bytes.empty() && !(cancelled_ && cancelled_());
+    }
+    const std::uint64_t count = std::max<std::uint64_t>(zeros / kSizeBytes, 1);
+    warn(inRecord(from, {faultText("pbstream", "from there on %1 bytes are zero, and nothing is in them"),
+                         {words::grouped(std::int64_t(count * kSizeBytes))}}));
+    const std::uint64_t zero = 0;
+    hash_.addData({reinterpret_cast<const char*>(&zero), qsizetype(sizeof zero)});
+    Record record = from;
+    record.number += decltype(record.number)(count);
+    record.offset += count * kSizeBytes;
+    return record;
   }
 
   /// The checksum of what a record holds stands at its end.

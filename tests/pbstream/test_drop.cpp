@@ -104,6 +104,20 @@ class DropTest : public QObject {
     QVERIFY(*result.file.graph == expected);
   }
 
+  void aPoseThatIsNoNumberStaysAsItIs() {
+    auto data = graphRecord();
+    data.mutable_pose_graph()
+        ->mutable_trajectory(0)
+        ->mutable_submap(0)
+        ->mutable_pose()
+        ->mutable_translation()
+        ->set_z(std::numeric_limits<double>::quiet_NaN());
+    Dropped what;
+    what.closures = {{{0, 0}, {0, 3}}};
+    (void)dropped(what, header() + record(data) + record(optionsRecord(2)) + record(submapRecord(0, 0)) +
+                            record(submapRecord(0, 1)) + record(submapRecord(1, 0)));
+  }
+
   void aSubmapGoesWithItsRecordItsPlaceAndItsConstraints() {
     Dropped what;
     what.submaps = {{0, 1}};
@@ -242,6 +256,17 @@ class DropTest : public QObject {
                       QString::fromStdString(folder_.path("link.pbstream")));
     QVERIFY(refusal(what, wholeFile(), "link.pbstream").find("exists already") != std::string::npos);
     QCOMPARE(bytesOf(folder_.path("map.pbstream")), wholeFile());
+    // Somebody takes the name meanwhile.
+    const std::string from = folder_.write(wholeFile());
+    const std::string taken = folder_.path("taken.pbstream");
+    const auto receipt =
+        drop(from, what, taken, {}, [&](double) { (void)folder_.write("mine", "taken.pbstream"); });
+    QVERIFY(!receipt && inEnglish(receipt.error()).find("exists already") != std::string::npos);
+    QCOMPARE(bytesOf(taken), std::string("mine"));
+    QCOMPARE(QDir(QFileInfo(QString::fromStdString(taken)).path())
+                 .entryList({QStringLiteral("*.unchecked*")})
+                 .size(),
+             0);
   }
 };
 

@@ -110,6 +110,18 @@ class StateFileTest : public QObject {
     QVERIFY(read(header() + record(moved))->uuid != read(header() + record(graphRecord()))->uuid);
   }
 
+  void zerosAreOneLossHoweverManyThereAre() {
+    const std::string whole = wholeFile();
+    const auto zeros = read(whole + std::string(std::size_t(1) << 24, '\0'));
+    QVERIFY(zeros);
+    QCOMPARE(zeros->submaps.size(), read(whole)->submaps.size());
+    QCOMPARE(zeros->warnings.size(), std::size_t(1));
+    QVERIFY2(contains(zeros->warnings, "on 16,777,216 bytes are zero"),
+             inEnglish(zeros->warnings[0]).c_str());
+    const auto between = read(whole + std::string(16, '\0') + record(imuRecord(0)));
+    QVERIFY(between && between->warnings.size() == 1 && !between->cut);
+  }
+
   void whatComesBeforeACutIsKept() {
     const std::string whole = wholeFile();
     const std::string until_submap_1 =
@@ -174,7 +186,7 @@ class StateFileTest : public QObject {
     cut.resize(30);
     row("gzip cut within", sized(cut, cut.size()), "its gzip stream ends too early");
     row("no gzip", sized("hello", 5), "its gzip stream is damaged");
-    row("empty", sized("", 0), "its gzip stream ends too early");
+    row("empty", sized("", 0), "8 bytes are zero");
     row("not a message", record("\x1a\xff\xff\xff\xff\x0f"), "it is not the message that it should be");
     row("of no kind", record(within(77, "x")), "it is of a kind that is not known");
     row("another wire type", record(field(3, 0, "\x01")), "field 3 has another type");
