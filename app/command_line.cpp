@@ -161,7 +161,8 @@ int runCommand(int argc, char** argv) {
   addAccess(cli, access);
   CLI::App* demo = cli.add_subcommand("demo", help(Text::tr("Open the window with a simulated robot")));
   demo->add_option("query", demo_query, help(Text::tr("For example scene=warehouse&submaps=500&seed=3")));
-  cli.add_option("file", operand, help(Text::tr("A map or a recording (MCAP or ROS bag) to open")));
+  cli.add_option("file", operand,
+                 help(Text::tr("A map, a state file (.pbstream) or a recording (MCAP or ROS bag) to open")));
   CLI::App* play = cli.add_subcommand("play", help(Text::tr("Open the window with a recording")));
   play->add_option("file", operand, help(Text::tr("MCAP or ROS bag")))->required();
   Commands commands(cli);

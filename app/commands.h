@@ -23,12 +23,17 @@ namespace mapwright::app {
 struct CommandFailure {
   int exit_code = 0;
   QString sentence;
+  bool reported = true;  // also to --report
 };
 template <typename T>
 using CommandResult = tl::expected<T, CommandFailure>;
 /// The options given make no sense together or on their own.
 inline tl::unexpected<CommandFailure> wrong(const QString& sentence) {
   return tl::make_unexpected(CommandFailure{kUsage, sentence});
+}
+/// The file of --report is another output, which is not written either.
+inline tl::unexpected<CommandFailure> sharedOutput(const QString& sentence) {
+  return tl::make_unexpected(CommandFailure{kUsage, sentence, false});
 }
 /// The same failure as the result of something else.
 template <typename Result>

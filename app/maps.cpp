@@ -384,7 +384,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   for (const QString& file : jobs::exportedFiles(output, files, args.world_file, form->mode)) {
     if (const auto why = notCreatedReason(file, args.force)) return wrong(*why);
   }
-  if (const auto why = notTogetherReason({output, text(args.report)})) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report)})) return sharedOutput(*why);
   std::optional<map::GridRegion> region;
   const bool live = args.id.empty() || args.id == "live";
   if (!args.region.empty()) {
@@ -417,11 +417,11 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
 
 CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   const QString printed = args.json ? QStringLiteral("-") : QString();
-  auto unavailable_reason =
+  const auto unavailable_reason =
       args.diff_picture.empty() ? std::nullopt : notWritableReason(text(args.diff_picture));
-  if (!unavailable_reason)
-    unavailable_reason = notTogetherReason({text(args.diff_picture), text(args.report), printed});
   if (unavailable_reason) return wrong(*unavailable_reason);
+  if (const auto why = notTogetherReason({text(args.diff_picture), text(args.report), printed}))
+    return sharedOutput(*why);
   // Before the first one is read, which may take long.
   for (const QString& operand : {text(args.first), text(args.second)}) {
     const auto parsed = knownAddresses().parse(operand);
@@ -432,10 +432,15 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   for (const std::string& word : {args.first, args.second}) {
     const QString operand = text(word);
     const bool alone = standsAlone(operand, text(args.robot));
+    // A state file has submaps, and no map besides.
+    const bool submaps = alone ? stateFileOf(operand).has_value() : word == "submaps";
     auto robot = openRobot(command, args, alone ? operand : text(args.robot),
-                           alone ? RobotReading::Purpose::Maps : purposeOf(word));
+                           submaps ? RobotReading::Purpose::Submaps : RobotReading::Purpose::Maps);
     if (!robot) return passOn(robot);
-    const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(args));
+    const auto placed = (*robot)->map(submaps ? QStringLiteral("submaps")
+                                      : alone ? QString()
+                                              : operand,
+                                      resolutionOf(args));
     if (!placed) return passOn(placed);
     maps.push_back(*placed);
     for (std::string& file : (*robot)->sourceFiles()) sources.push_back(std::move(file));

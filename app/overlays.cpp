@@ -124,7 +124,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   const QString output = text(args.output);
   const bool printed = isStandardOutput(output);
   if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
-  if (const auto why = notTogetherReason({output, text(args.report)})) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report)})) return sharedOutput(*why);
   const auto of = openOverlays(command, args);
   if (!of) return passOn(of);
   const auto held = heldBy(*of);
@@ -241,7 +241,7 @@ CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args
   }
   if (const auto why =
           notTogetherReason({output, text(args.report), args.json ? QStringLiteral("-") : QString()}))
-    return wrong(*why);
+    return sharedOutput(*why);
   jobs::OverlayOrder order;
   if (!args.base.empty()) {
     auto base = overlayFile(args.base);
@@ -302,7 +302,7 @@ CommandResult<int> overlaysValidate(RobotCommand& command, const OverlaysArgumen
   const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
   if (const auto why = notTogetherReason({text(args.report), args.json ? QStringLiteral("-") : QString()}))
-    return wrong(*why);
+    return sharedOutput(*why);
   OverlayDocument document;
   if (!args.file.empty()) {
     auto read = overlayFile(args.file);

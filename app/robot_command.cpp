@@ -162,6 +162,9 @@ CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& a
   if (address.isEmpty()) {
     return wrong(Text::tr("Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too."));
   }
+  if (purpose == Purpose::Submaps) {
+    if (const auto why = recordingWithoutTimeReason(address, bag)) return wrong(*why);
+  }
   Access timed = access;
   timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
   auto robot = makeRobot(address, timed, DemoTime::Frozen);
@@ -306,8 +309,6 @@ std::optional<CommandFailure> RobotReading::recall(const std::string& at) {
     return CommandFailure{
         kIncomplete,
         about(Text::tr("Not everything had arrived within %1 s (--timeout).").arg(time_.timeout_s))};
-  if (!session_.world().submaps)
-    return CommandFailure{kRobotError, about(Text::tr("The bag contains no submap list up to this time."))};
   return std::nullopt;
 }
 
@@ -492,7 +493,7 @@ int RobotCommand::end(CommandResult<int> result) const {
                                       : int(kIncomplete),
                     result ? *why : result.error().sentence);
   }
-  if (!report_path_.isEmpty()) {
+  if (!report_path_.isEmpty() && (result || result.error().reported)) {
     if (const auto problem = writeReport(report_path_, report)) return refuse(kUsage, *problem);
   }
   if (!result) return refuse(result.error().exit_code, result.error().sentence);

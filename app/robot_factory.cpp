@@ -241,6 +241,14 @@ bool isRecording(const QString& path) { return robot::recorded::isRecording(path
 
 std::string bagNameOf(const QString& path) { return robot::recorded::bagNameOf(path); }
 
+std::optional<QString> recordingWithoutTimeReason(const QString& address, const std::string& bag) {
+  const auto parsed = knownAddresses().parse(address);
+  if (!bag.empty() || !parsed || !isRecording(parsed->path)) return std::nullopt;
+  return Text::tr(
+             "%1 is a recording, so its map depends on the time. Commands with --bag and --at read it there.")
+      .arg(oneLine(address, 200));
+}
+
 std::optional<QString> stateFileOf(const QString& address) {
   const auto parsed = knownAddresses().parse(address);
   if (!parsed || !robot::pbstream::hasStateFileName(parsed->path)) return std::nullopt;

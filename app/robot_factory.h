@@ -68,6 +68,9 @@ void onRecording(std::string& robot, std::string& bag, const std::string& otherw
 bool isRecording(const QString& path);
 /// The name of the bag in that recording.
 std::string bagNameOf(const QString& path);
+/// Why there is no map to be read from the robot at `address`; nullopt: it is no recording, or `bag` is one
+/// that is replayed.
+std::optional<QString> recordingWithoutTimeReason(const QString& address, const std::string& bag);
 /// The path of the Cartographer state file (.pbstream) that an address names; nullopt: it names none.
 std::optional<QString> stateFileOf(const QString& address);
 /// Whether it is called like a map: .yaml, .yml, .png, .pgm or .bmp.

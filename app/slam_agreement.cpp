@@ -90,17 +90,21 @@ std::optional<QString> notAskedWellReason(const AgreementArguments& args) {
     if (file.isEmpty()) continue;
     if (const auto why = notCreatedReason(file, true, sources)) return why;
   }
-  return notTogetherReason(
-      {output, text(args.csv), text(args.report), args.json ? QStringLiteral("-") : QString()});
+  return std::nullopt;
 }
 
 /// Connected, or at the time of a bag.
 CommandResult<RobotReading*> openFor(RobotCommand& command, const AgreementArguments& args) {
   if (const auto why = notAskedWellReason(args)) return wrong(*why);
+  if (const auto why = notTogetherReason({text(args.output), text(args.csv), text(args.report),
+                                          args.json ? QStringLiteral("-") : QString()}))
+    return sharedOutput(*why);
   const auto reading = command.open(RobotReading::Purpose::Submaps, {}, args.bag);
   if (!reading || args.bag.empty()) return reading;
-  const auto failed = (*reading)->recall(args.at);
-  return failed ? CommandResult<RobotReading*>(tl::make_unexpected(*failed)) : reading;
+  if (const auto failed = (*reading)->recall(args.at)) return tl::make_unexpected(*failed);
+  if (!(*reading)->session().world().submaps)
+    return (*reading)->failure(kRobotError, Text::tr("The bag contains no submap list up to this time."));
+  return reading;
 }
 
 /// All submaps of the robot, compared.

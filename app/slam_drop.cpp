@@ -69,6 +69,7 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
   const QString to = words::text(args.output);
   if (isStream(to))
     return wrong(Text::tr("%1: the new file is read back, so it cannot be written there.").arg(oneLine(to)));
+  if (const auto why = notTogetherReason({to, words::text(args.report)})) return sharedOutput(*why);
   command.reportConnected();
   const auto receipt = jobs::leaveOut(*from, *what, to, [&] { return command.time().over(); });
   if (!receipt) return wrong(receipt.error());

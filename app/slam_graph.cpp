@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include "app/bag_reading.h"
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_command.h"
@@ -52,6 +53,10 @@ CommandResult<pbstream::StateFile> stateFileAt(const RobotArguments& args, const
     return wrong(
         Text::tr("%1: this needs a Cartographer state file (.pbstream).").arg(oneLine(address, 200)));
   auto read = pbstream::readStateFile(path->toStdString(), [&] { return time.over(); });
+  if (!read && time.over())
+    return tl::make_unexpected(CommandFailure{
+        kIncomplete,
+        Text::tr("%1: reading it took longer than %2 s (--timeout).").arg(*path).arg(time.timeout_s)});
   if (!read) {
     const QString why = sentences::wordsOf(read.error());
     return wrong(why.contains(*path) ? why : QStringLiteral("%1: %2").arg(*path, why));
@@ -236,6 +241,7 @@ CommandResult<int> slamInfo(RobotCommand& command, const SlamArguments& args) {
 // slam closures
 
 struct ClosuresArguments : RobotArguments {
+  std::string bag, at;
   std::string kind = "inter";
   double min_m = 0;
   std::optional<int> top;
@@ -281,7 +287,7 @@ Ranked rankSegments(const map::ConstraintsMessage& drawn) {
   return ranked;
 }
 
-CommandResult<Ranked> rankedOf(RobotReading& reading) {
+CommandResult<Ranked> rankedOf(RobotReading& reading, const ClosuresArguments& args) {
   session::Session& session = reading.session();
   if (robot::PoseGraphSource* const source = session.robot().poseGraphSource()) {
     using Graph = std::shared_ptr<const map::PoseGraph>;
@@ -295,6 +301,11 @@ CommandResult<Ranked> rankedOf(RobotReading& reading) {
   if (!live || live->topicsOf(map::Stream::Constraints).isEmpty())
     return reading.lacks(robot::Capability::PoseGraph);
   session.want(QStringLiteral("command"), {map::Stream::Constraints});
+  if (!args.bag.empty()) {
+    if (const auto failed = reading.recall(args.at)) return tl::make_unexpected(*failed);
+    if (!session.heard(map::topicIndex<map::ConstraintsMessage>()))
+      return reading.failure(kRobotError, Text::tr("The bag contains no constraints up to this time."));
+  }
   const auto heard = [&] { return session.heard(map::topicIndex<map::ConstraintsMessage>()).has_value(); };
   if (!reading.waitUntil(heard))
     return reading.failure(
@@ -354,10 +365,11 @@ CommandResult<int> slamClosures(RobotCommand& command, const ClosuresArguments& 
   if (args.min_m < 0 || args.fail_over_m.value_or(0) < 0)
     return wrong(Text::tr("--min and --fail-over are metres, 0 or more."));
   if (args.top.value_or(0) < 0) return wrong(Text::tr("--top is a number of rows; 0 lists all."));
-  const auto opened = command.open();
+  if (args.bag.empty() != args.at.empty()) return wrong(Text::tr("--bag and --at belong together."));
+  const auto opened = command.open(RobotReading::Purpose::Submaps, {}, args.bag);
   if (!opened) return passOn(opened);
   RobotReading& reading = **opened;
-  const auto ranked = rankedOf(reading);
+  const auto ranked = rankedOf(reading, args);
   if (!ranked) return passOn(ranked);
   const map::Closures& all = ranked->closures;
   std::vector<map::Closure> wanted;
@@ -419,10 +431,18 @@ void addSlamGraph(Commands& commands, CLI::App& slam) {
       Text::tr("State file (.pbstream)"), info, slamInfo);
   addJson(*info_command, info->json);
   const auto closures = std::make_shared<ClosuresArguments>();
-  CLI::App* const closures_command = addReading(
-      commands, slam, "closures",
-      Text::tr("Loop closures, those first that contradict the finished map most"),
-      Text::tr("State file (.pbstream) or robot address (or MAPWRIGHT_ROBOT)"), closures, slamClosures);
+  CLI::App* const closures_command =
+      addReading(commands, slam, "closures",
+                 Text::tr("Loop closures, those first that contradict the finished map most"),
+                 Text::tr("State file (.pbstream) or robot address (or MAPWRIGHT_ROBOT)"), closures,
+                 slamClosures, [](ClosuresArguments& args, const Invocation& before) {
+                   if (!args.bag.empty()) onRecording(args.robot, args.bag, before.robot);
+                 });
+  closures_command->add_option(
+      "--bag", closures->bag,
+      help(Text::tr("Read recorded constraints: the name of a bag, or a file, with --at; "
+                    "FILE?ns=/NAMESPACE is one robot of several")));
+  addTime(*closures_command, "--at", closures->at);
   closures_command
       ->add_option("--kind", closures->kind, help(Text::tr("inter (loop closures), intra or all")))
       ->check(CLI::IsMember({"inter", "intra", "all"}));

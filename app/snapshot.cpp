@@ -478,6 +478,8 @@ int snapshot(const SnapshotArguments& args, int& argc, char** argv) {
 int snapshotOf(SnapshotArguments& args, const Invocation& before) {
   onRecording(args.robot, args.bag, before.robot);
   inherit(args, before);
+  if (const auto why = recordingWithoutTimeReason(words::text(args.robot), args.bag))
+    return refuse(kUsage, *why);
   return snapshot(args, before.argc, before.argv);
 }
 

@@ -100,7 +100,7 @@ CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArgumen
   const auto kind = waypointFileKind(args.output, args.format);
   if (!kind) return wrong(kind.error());
   if (const auto why = notCreatedReason(output, args.force)) return wrong(*why);
-  if (const auto why = notTogetherReason({output, text(args.report)})) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report)})) return sharedOutput(*why);
   const auto list = listWaypoints(command, args.map, Use::Reading);
   if (!list) return passOn(list);
   const std::string bytes =
@@ -364,7 +364,7 @@ CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments
   const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
   const QString printed = args.json ? QStringLiteral("-") : QString();
-  if (const auto why = notTogetherReason({output, text(args.report), printed})) return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.report), printed})) return sharedOutput(*why);
   const exchange::WantedFile wanted = readWantedFile(args.file, args.format, args.angles);
   if (!wanted) return wrong(wanted.error());
   const auto list = listWaypoints(command, args.map, Use::Changing);

@@ -129,6 +129,22 @@ class SlamCommandTest : public QObject {
     QVERIFY(!QFile::exists(other));
   }
 
+  void whatIsLeftOutIsNotWrittenWhereTheReportGoes() {
+    const QString file = write(state::wholeFile()), to = program_.path("shared.pbstream");
+    const Outcome refused = slam("drop", file,
+                                 {QStringLiteral("--submap"), QStringLiteral("0-1"), QStringLiteral("-o"), to,
+                                  QStringLiteral("--report"), to});
+    QCOMPARE(refused.code, 2);
+    QVERIFY2(refused.err.contains(QStringLiteral("are the same file")), qPrintable(refused.err));
+    QVERIFY(!QFile::exists(to));
+    const QString picture = program_.path("shared.png");
+    program_.put("shared.png", "mine");
+    QCOMPARE(
+        slam("disagreement", file, {QStringLiteral("-o"), picture, QStringLiteral("--report"), picture}).code,
+        2);
+    QCOMPARE(program_.bytes("shared.png"), QByteArray("mine"));
+  }
+
   void aFileThatIsCutIsDrawnAsFarAsItGoes() {
     const std::string whole = state::wholeFile();
     const std::string two =
@@ -151,6 +167,44 @@ class SlamCommandTest : public QObject {
     const Outcome info = slam("info", write(whole.substr(0, two.size() + 20)), {QStringLiteral("--json")});
     QCOMPARE(info.code, 1);
     QCOMPARE(info.object()[QLatin1String("warnings")].toArray().size(), 2);
+  }
+
+  void aRecordingIsLookedAtAtItsTimes() {
+    const QString file = program_.path("drive.mcap");
+    const Outcome recorded =
+        program_.run({QStringLiteral("record"), QStringLiteral("--robot"), QStringLiteral("demo:"),
+                      QStringLiteral("--duration"), QStringLiteral("3"), QStringLiteral("--topic"),
+                      QStringLiteral("/constraint_list"), QStringLiteral("-o"), file});
+    QVERIFY2(recorded.code == 0, qPrintable(recorded.out + recorded.err));
+    const Outcome there =
+        program_.run({QStringLiteral("slam"), QStringLiteral("closures"), QStringLiteral("--bag"), file,
+                      QStringLiteral("--at"), QStringLiteral("+2"), QStringLiteral("--json")});
+    QVERIFY2(there.code == 0, qPrintable(there.out + there.err));
+    QVERIFY(there.object()[QLatin1String("inter")].toInt() > 0);
+    for (const char* const what : {"closures", "disagreement", "coverage"}) {
+      const Outcome live = slam(what, file);
+      QCOMPARE(live.code, 2);
+      QVERIFY2(live.err.contains(QStringLiteral("is a recording")), qPrintable(live.err));
+    }
+    QCOMPARE(program_
+                 .run({QStringLiteral("snapshot"), QStringLiteral("--robot"), file, QStringLiteral("-o"),
+                       program_.path("x.png")})
+                 .code,
+             2);
+  }
+
+  void twoStateFilesAreCompared() {
+    const QString file = write(state::wholeFile());
+    const auto differs = [&](const QString& other) {
+      return program_.run({QStringLiteral("maps"), QStringLiteral("diff"), file, other}).code;
+    };
+    QCOMPARE(differs(write(state::wholeFile(), "again.pbstream")), 0);
+    const QString less = program_.path("less.pbstream");
+    QCOMPARE(
+        slam("drop", file, {QStringLiteral("--submap"), QStringLiteral("0-1"), QStringLiteral("-o"), less})
+            .code,
+        0);
+    QCOMPARE(differs(less), 1);
   }
 
   void whatIsNoStateFileIsRefused() {

@@ -262,7 +262,7 @@ class TestWindowDisagreement : public QObject {
       entries[1].pose = geometry::poseFromYaw(0, 2 + 0.05 * (step % 2), 0);
       entries[2].pose = geometry::poseFromYaw(60 + step, 0, 0);
       desk.bench.robot->list(entries);
-      QTest::qWaitFor(
+      (void)QTest::qWaitFor(
           [&] {
             if (said.isEmpty() || said.back() != desk.said()) said << desk.said();
             if (desk.dock.workButton()->isVisible()) said << QStringLiteral("Cancel");
