@@ -66,6 +66,16 @@ class StateRobotTest : public QObject {
   }
 
  private Q_SLOTS:
+  void lossesOfOneKindAreAllNamed() {
+    Opened opened(write(state::wholeFile() + state::sized("hello", 5) + state::sized("hullo", 5)));
+    QTRY_VERIFY(!opened.problems.empty());
+    QCOMPARE(opened.problems.size(), std::size_t(1));
+    const std::string said = inEnglish(opened.problems.front().reason);
+    QVERIFY2(said.find("2 losses") != std::string::npos && said.find("Record 17") != std::string::npos &&
+                 said.find("Record 18") != std::string::npos,
+             said.c_str());
+  }
+
   void itSendsWhatItHolds() {
     Opened opened(write(state::wholeFile()));
     QTRY_VERIFY_WITH_TIMEOUT(!opened.constraints.by_name.empty(), kWaitMs);

@@ -1,5 +1,6 @@
 #include "robot/pbstream/state_robot.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QFileInfo>
@@ -11,6 +12,42 @@ namespace mapwright::robot::pbstream {
 namespace {
 
 Q_LOGGING_CATEGORY(lcStateFile, "mapwright.files", QtWarningMsg)
+
+constexpr std::size_t kMostNamed = 20;
+
+map::Problem problemOf(Fault loss) {
+  return {map::Severity::Warning, map::SubjectKind::SubmapList, std::move(loss), map::ProblemCode::Odd};
+}
+
+/// Problems of one pattern replace each other: those of one kind are one problem that names them.
+std::vector<map::Problem> problemsOf(const std::vector<Fault>& losses) {
+  std::vector<std::pair<std::string, std::vector<Fault>>> kinds;
+  for (const Fault& loss : losses) {
+    const std::string pattern = map::patternOf(problemOf(loss));
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == pattern; });
+    if (kind == kinds.end()) {
+      kinds.push_back({pattern, {loss}});
+    } else {
+      kind->second.push_back(loss);
+    }
+  }
+  std::vector<map::Problem> problems;
+  for (auto& [pattern, alike] : kinds) {
+    const auto count = std::int64_t(alike.size());
+    if (count == 1) {
+      problems.push_back(problemOf(std::move(alike.front())));
+      continue;
+    }
+    alike.resize(std::min(alike.size(), kMostNamed));
+    problems.push_back(
+        problemOf({std::size_t(count) > kMostNamed ? faultText("state_file", "%1 losses, the first of them")
+                                                   : faultText("state_file", "%1 losses"),
+                   {count},
+                   std::move(alike)}));
+  }
+  return problems;
+}
 
 std::string fileName(const StateOptions& options) { return QFileInfo(options.path).fileName().toStdString(); }
 
@@ -64,10 +101,8 @@ StateRobot::StateRobot(QString address, StateOptions options, QObject* parent)
             }
             // After the list, which says nothing of these.
             if (wanted_) Q_EMIT recovered({map::SubjectKind::SubmapList, map::ProblemCode::Odd});
-            for (const Fault& loss : losses) {
-              if (wanted_)
-                Q_EMIT problemFound(
-                    {map::Severity::Warning, map::SubjectKind::SubmapList, loss, map::ProblemCode::Odd});
+            for (const map::Problem& problem : problemsOf(losses)) {
+              if (wanted_) Q_EMIT problemFound(problem);
             }
             if (again && wanted_) Q_EMIT mapsChanged();
           });
