@@ -8,7 +8,10 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/slam/closures_dock.h"
+#include "ui/slam/closures_model.h"
 #include "ui/slam/disagreement_dock.h"
+#include "ui/slam/place_square.h"
 #include "ui/slam/work_pace.h"
 #include "ui/view/map_view.h"
 #include "window_bench.h"
@@ -59,6 +62,14 @@ struct Desk {
     const QModelIndexList rows = dock.table()->selectionModel()->selectedRows();
     if (rows.size() != 1) return {};
     return {dock.model()->place(rows[0].row()).x, dock.model()->place(rows[0].row()).y};
+  }
+  /// The outline of the chosen place, if there is one.
+  const PlaceSquare* square() const {
+    for (QGraphicsItem* const item : window.mapScene()->items()) {
+      const auto* const square = qgraphicsitem_cast<PlaceSquare*>(item);
+      if (square && square->isVisible()) return square;
+    }
+    return nullptr;
   }
   bool found() {
     return QTest::qWaitFor([this] { return dock.model()->rowCount() == 5; }, 10'000);
@@ -133,12 +144,13 @@ class TestWindowDisagreement : public QObject {
     const Eigen::Vector2d at(place.x, place.y);
     const scene::MapScene& scene = *desk.window.mapScene();
     QTRY_VERIFY((scene.view().center_m - at).norm() < 1e-6);
-    QVERIFY(scene.marker() == at);
     QCOMPARE(scene.highlighted(), (Ids{{0, 0}, {0, 1}}));
-    // Esc: the mark, then the frames.
+    // Its square takes a fifth of the view.
+    QVERIFY(desk.square());
+    const double fifth = std::min(scene.view().width_px, scene.view().height_px) / 5.0;
+    QTRY_VERIFY(std::abs(desk.square()->seen().height() - fifth) < 1);
     desk.bench.key(Qt::Key_Escape);
-    desk.bench.key(Qt::Key_Escape);
-    QVERIFY(!scene.marker() && scene.highlighted().empty());
+    QVERIFY(!desk.square() && scene.highlighted().empty());
     QVERIFY(!desk.dock.nextButton()->isEnabled());
   }
 
@@ -156,8 +168,8 @@ class TestWindowDisagreement : public QObject {
     desk.clickRow(0);
     desk.dock.nextButton()->click();
     QCOMPARE(desk.shown(), (Shown{true, false, false}));
-    QCOMPARE(desk.window.mapScene()->highlighted(), (Ids{{0, 0}}));
-    QVERIFY(!desk.window.mapScene()->marker());
+    QVERIFY(desk.window.mapScene()->highlighted().empty());  // what is to be seen is not tinted
+    QVERIFY(desk.square());
     desk.dock.nextButton()->click();
     QCOMPARE(desk.shown(), (Shown{false, true, false}));
     desk.dock.nextButton()->click();
@@ -171,6 +183,55 @@ class TestWindowDisagreement : public QObject {
     QVERIFY(!desk.dock.allButton()->isEnabled());
     QCOMPARE(desk.window.mapScene()->highlighted().size(),
              std::size_t(end == QLatin1String("closed") ? 0 : 2));
+  }
+
+  void escEndsTheStepsBeforeItTakesAnotherMark() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(0);
+    const Eigen::Vector2d gone_to(3, 3);
+    desk.window.mapScene()->setMarker(gone_to);
+    desk.dock.blinkButton()->click();
+    QVERIFY(desk.shown() != (Shown{true, true, true}));
+    desk.bench.key(Qt::Key_Escape);
+    QCOMPARE(desk.shown(), (Shown{true, true, true}));
+    QVERIFY(!desk.dock.blinkButton()->isChecked());
+    QVERIFY(desk.window.mapScene()->marker() == gone_to && desk.square());
+  }
+
+  void anotherThingToLookAtTakesTheMarksAway_data() {
+    QTest::addColumn<QString>("thing");
+    for (const char* thing : {"closure", "tolerance", "closed"})
+      QTest::newRow(thing) << QString::fromLatin1(thing);
+  }
+  void anotherThingToLookAtTakesTheMarksAway() {
+    QFETCH(QString, thing);
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.clickRow(0);
+    QVERIFY(desk.square() && desk.dock.blinkButton()->isEnabled());
+    if (thing == QLatin1String("closure")) Q_EMIT part<ClosuresDock>(desk.window)->chosen({.at = {30, 30}});
+    if (thing == QLatin1String("closed")) desk.dock.close();
+    if (thing == QLatin1String("tolerance")) {
+      desk.dock.toleranceBox()->setCurrentIndex(0);
+      Q_EMIT desk.dock.toleranceBox()->activated(0);
+    }
+    QVERIFY(!desk.square() && desk.window.mapScene()->highlighted().empty());
+    QVERIFY(!desk.dock.blinkButton()->isEnabled());
+    QVERIFY(desk.chosen().isNull());
+  }
+
+  void theFocusAloneChoosesNothing() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.dock.table()->selectionModel()->setCurrentIndex(desk.dock.model()->index(1, 0),
+                                                         QItemSelectionModel::NoUpdate);
+    auto entries = contradicting();
+    entries[2].pose = geometry::poseFromYaw(60, -20, 0);
+    entries.push_back(entry(0, 3, 1, 60, -18));
+    desk.bench.robot->list(entries);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.dock.model()->rowCount(), 10, 20'000);
+    QVERIFY(desk.chosen().isNull() && !desk.dock.blinkButton()->isEnabled());
   }
 
   void whatTheUserHidesMeanwhileStaysHidden() {

@@ -18,6 +18,8 @@
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/slam/disagreement_dock.h"
+#include "ui/slam/place_square.h"
+#include "ui/view/map_view.h"
 #include "words/fixed.h"
 
 namespace mapwright::window {
@@ -28,7 +30,8 @@ using scene::Layer;
 constexpr int kBlinkMs = 700, kSoonMs = 300;
 // Looking at what has changed takes time for each submap: at most this part of the GUI thread's.
 constexpr int kShareOfTime = 10;
-constexpr double kRoomAroundM = 2;
+// How much of the map is in view around a square of 1 m: a shift by a few cells is seen.
+constexpr double kMostViewM = 5, kLeastViewM = 1.25;
 const QString kToleranceKey = QStringLiteral("disagreement/tolerance_cells");
 
 }  // namespace
@@ -37,7 +40,8 @@ DisagreementController::DisagreementController(WindowContext& context, QObject* 
     : Controller(parent),
       context_(context),
       dock_(new DisagreementDock(&context.window)),
-      run_(new scene::AgreementRun(context.workers, this)) {
+      run_(new scene::AgreementRun(context.workers, this)),
+      square_(new PlaceSquare(context.scene)) {
   context_.panels.add(dock_, {.side = PanelPosition::Side::Right,
                               .tab = 22,
                               .menu_rank = 32,
@@ -64,7 +68,10 @@ DisagreementController::DisagreementController(WindowContext& context, QObject* 
   });
   connect(dock_->layerBox(), &QCheckBox::clicked, this,
           [this](bool on) { context_.scene.setLayerVisible(Layer::Disagreement, on); });
-  connect(dock_->toleranceBox(), &QComboBox::activated, this, [this] { setTolerance(dock_->tolerance()); });
+  connect(dock_->toleranceBox(), &QComboBox::activated, this, [this] {
+    leavePlace();
+    setTolerance(dock_->tolerance());
+  });
   connect(dock_->workButton(), &QPushButton::clicked, this, [this] {
     cancelled_ = run_->running();
     look();
@@ -142,13 +149,15 @@ void DisagreementController::setTolerance(int cells) {
 }
 
 bool DisagreementController::escape() {
-  if (stepper_.steps()) {
-    stopStepping();
-  } else if (place_) {
-    leavePlace();
-  } else {
-    return false;
-  }
+  if (endSteps()) return true;
+  if (!place_) return false;
+  leavePlace();
+  return true;
+}
+
+bool DisagreementController::endSteps() {
+  if (!stepper_.steps()) return false;
+  stopStepping();
   return true;
 }
 
@@ -264,9 +273,15 @@ void DisagreementController::showWork() {
 void DisagreementController::goTo(agreement::Place place) {
   stopStepping();
   place_ = std::make_unique<agreement::Place>(place);
-  const geometry::WorldRect square{place.x - 0.5, place.y - 0.5, place.x + 0.5, place.y + 0.5};
-  context_.viewpoint.lookAt(square.grown(kRoomAroundM));
-  context_.scene.setMarker(Eigen::Vector2d(place.x, place.y));
+  Q_EMIT wentToPlace();
+  geometry::ViewTransform to = context_.view.destination();
+  const double smaller_px = std::max(1, std::min(to.width_px, to.height_px));
+  to.center_m = {place.x, place.y};
+  to.scale_m_per_px = std::clamp(to.scale_m_per_px, kLeastViewM / smaller_px, kMostViewM / smaller_px);
+  context_.view.setFollowing(false);
+  context_.viewpoint.choose();
+  context_.view.moveTo(to, true);
+  square_->show({place.x - 0.5, place.y - 0.5, place.x + 0.5, place.y + 0.5});
   highlight({place.submaps.begin(), place.submaps.end()});
   showSteps();
 }
@@ -274,9 +289,8 @@ void DisagreementController::goTo(agreement::Place place) {
 void DisagreementController::leavePlace() {
   stopStepping();
   if (!place_) return;
-  const Eigen::Vector2d at(place_->x, place_->y);
   place_.reset();
-  if (context_.scene.marker() == at) context_.scene.setMarker(std::nullopt);
+  square_->hide();
   highlight({});
   dock_->clearSelection();
   showSteps();
@@ -298,9 +312,8 @@ void DisagreementController::step() {
     const QScopedValueRollback quiet(stepping_, true);
     stepper_.showOnly(place_->submaps, at_);
   }
-  // The mark would lie on what is to be seen.
-  context_.scene.setMarker(std::nullopt);
-  highlight({place_->submaps[at_]});
+  // The frame of one would tint what is to be seen.
+  highlight({});
   showSteps();
 }
 
@@ -312,10 +325,7 @@ void DisagreementController::stopStepping() {
     const QScopedValueRollback quiet(stepping_, true);
     stepper_.giveBack();
   }
-  if (place_) {
-    context_.scene.setMarker(Eigen::Vector2d(place_->x, place_->y));
-    highlight({place_->submaps.begin(), place_->submaps.end()});
-  }
+  if (place_) highlight({place_->submaps.begin(), place_->submaps.end()});
   showSteps();
   showFindings();
 }

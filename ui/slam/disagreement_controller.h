@@ -26,6 +26,7 @@ class AgreementRun;
 namespace mapwright::window {
 
 class DisagreementDock;
+class PlaceSquare;
 
 class DisagreementController : public Controller {
   Q_OBJECT
@@ -39,6 +40,14 @@ class DisagreementController : public Controller {
   void remember(QSettings& settings) override;
   void reset() override;
   bool escape() override;
+  /// All submaps as before; false: no step was shown.
+  bool endSteps();
+  /// Its frames and its square go: another thing is looked at.
+  void leavePlace();
+
+ Q_SIGNALS:
+  /// What else is marked on the map would lie over it.
+  void wentToPlace();
 
  private:
   bool isSeen() const;
@@ -50,7 +59,6 @@ class DisagreementController : public Controller {
   QString sentence() const;
   QString absence() const;
   void goTo(agreement::Place place);
-  void leavePlace();
   void step();
   void stopStepping();
   void showSteps();
@@ -59,6 +67,7 @@ class DisagreementController : public Controller {
   WindowContext& context_;
   DisagreementDock* dock_;
   scene::AgreementRun* run_;
+  PlaceSquare* square_;  // owned by the scene
   QPointer<session::Session> session_;
   QTimer soon_, blink_, later_;
   QElapsedTimer clock_;

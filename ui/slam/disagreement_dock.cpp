@@ -169,13 +169,17 @@ void DisagreementDock::setPlaces(PlacesModel::Places places) {
   table_->setVisible(!places->empty());
   steps_->setVisible(!places->empty() || blink_->isEnabled());
   const QModelIndex current = table_->currentIndex();
-  if (current.isValid()) chosen_ = model_->place(current.row());
+  // The focus alone makes a row the current one.
+  const auto selected = [this](const QModelIndex& index) {
+    return index.isValid() && table_->selectionModel()->isSelected(index);
+  };
+  if (selected(current)) chosen_ = model_->place(current.row());
   const bool in_view =
       current.isValid() && table_->viewport()->rect().intersects(table_->visualRect(current));
   const int row_before = current.row(), top_before = table_->verticalScrollBar()->value();
   model_->setPlaces(std::move(places));
   const int row = chosen_ ? model_->rowOf(*chosen_) : -1;
-  if (row < 0 || row == table_->currentIndex().row()) return;
+  if (row < 0 || selected(model_->index(row, 0))) return;
   table_->setAutoScroll(false);  // the user may look at others
   table_->setCurrentIndex(model_->index(row, 0));
   table_->setAutoScroll(true);

@@ -220,6 +220,11 @@ void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::clicked, inspector_, &InspectorController::clickedOnMap);
   connect(inspector_, &InspectorController::located, objects_, &ObjectsController::wentTo);
   connect(closures_, &ClosuresController::submapShown, inspector_->dock(), &InspectorDock::select);
+  connect(closures_->dock(), &ClosuresDock::chosen, disagreement_, &DisagreementController::leavePlace);
+  connect(disagreement_, &DisagreementController::wentToPlace, this, [this] {
+    closures_->escape();
+    objects_->escape();
+  });
   connect(view_control_, &ViewController::picked, objects_, &ObjectsController::clickedOnMap);
   connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
@@ -327,6 +332,7 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::escape() {
+  if (disagreement_->endSteps()) return;  // what blinks ends first, whatever else is marked
   for (Controller* controller : controllers_) {
     if (controller->escape()) return;
   }
