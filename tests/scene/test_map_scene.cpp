@@ -1,4 +1,6 @@
 // What the scene paints for a session, in pixels.
+#include <cmath>
+
 #include <QImage>
 #include <QPainter>
 #include <QSignalSpy>
@@ -197,6 +199,35 @@ class MapSceneTest : public QObject {
     session_->setSlice(3);
     QTRY_VERIFY(scene_->renderer().settled());
     QCOMPARE(painted().pixel(60, 40), kUnknown);
+  }
+
+  void theIdOfAHighlightedSubmapIsReadInBothThemes() {
+    // Relative luminance as in WCAG 2.
+    const auto luminance = [](const QColor& color) {
+      const auto linear = [](double part) {
+        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+      };
+      return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+    };
+    showOneSubmap();
+    session_->setVisible({{0, 0}}, false);
+    for (const bool dark : {false, true}) {
+      const scene::MapTheme theme = dark ? scene::darkMapTheme() : scene::lightMapTheme();
+      scene_->setTheme(theme);
+      scene_->setHighlighted({{0, 0}});
+      QTRY_VERIFY(scene_->settled());
+      const QImage image = painted();
+      // The lines of the frame are less bright, or less dark, than the letters.
+      double letters = luminance(theme.accent);
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+          const double pixel = luminance(image.pixelColor(x, y));
+          letters = dark ? std::max(letters, pixel) : std::min(letters, pixel);
+        }
+      }
+      const double halo = luminance(theme.text_halo);
+      QVERIFY((std::max(letters, halo) + 0.05) / (std::min(letters, halo) + 0.05) >= (dark ? 4.5 : 5.5));
+    }
   }
 
   void theTopmostVisibleSubmapIsPicked() {

@@ -147,7 +147,7 @@ void HighlightItem::collectLabels(LabelCollector& labels) const {
     labels.add(LabelWish::Position::Within, LabelRank::Chosen,
                toPolygon(context_.view, {corners.begin(), corners.end()}).boundingRect(),
                std::hash<map::SubmapId>()(id), QString::fromStdString(map::toText(id)),
-               context_.theme.accent);
+               readable(context_.theme.accent, context_.theme));
   }
 }
 
