@@ -67,8 +67,8 @@ Shades DisagreementHeat::shades(TileKey key, const Tile& tile) const {
 }
 
 std::span<const Argb> CoverageHeat::colors() {
-  static constexpr std::array<Argb, 8> kColors{0,          0xffecc77a, 0xff8a5a00, 0xffc6dbef,
-                                               0xff9ecae1, 0xff6baed6, 0xff3182bd, 0xff08519c};
+  static constexpr std::array<Argb, 8> kColors{0,          0xffecc77a, 0xff8a5a00, 0xffdceaf7,
+                                               0xff93c6e6, 0xff3f92cc, 0xff1a5fa8, 0xff082a63};
   return kColors;
 }
 
@@ -78,8 +78,9 @@ Shades CoverageHeat::shades(const Tile& tile) {
   return shaded(tile, [&tile](int column, int row) {
     const unsigned seen_by = tile.seenBy(column, row);
     if (seen_by == 1) return (column + row) % 4 == 0 ? kOnceLine : kOnce;
+    // 2, 3 to 4, 5 to 8, ...
     return std::uint8_t(
-        std::min(std::size_t(kTwice) + std::size_t(std::bit_width(seen_by)) - 2, colors().size() - 1));
+        std::min(std::size_t(kTwice) + std::size_t(std::bit_width(seen_by - 1)) - 1, colors().size() - 1));
   });
 }
 

@@ -30,8 +30,8 @@ class DisagreementHeat {
   std::map<Square, std::uint8_t> of_square_;
 };
 
-/// Seen once: hatched, for it proves nothing. From two submaps on light to dark blue, a step for each
-/// doubling, the darkest from 32 on.
+/// Seen once: hatched, for it proves nothing. From light to dark blue: 2 submaps, 3 to 4, 5 to 8, 9 to 16,
+/// more.
 class CoverageHeat {
  public:
   static std::span<const Argb> colors();

@@ -36,6 +36,7 @@ class TestHeat : public QObject {
   void theWorstSquareIsTheDarkest();
   void seenOnceIsHatchedAcrossTiles();
   void manySubmapsAreTheDarkestBlue();
+  void theStepsAreToldApart();
 };
 
 void TestHeat::theWorstSquareIsTheDarkest() {
@@ -77,6 +78,26 @@ void TestHeat::manySubmapsAreTheDarkestBlue() {
   const std::size_t darkest = CoverageHeat::colors().size() - 1;
   QCOMPARE(std::size_t(at(shades, 0, 0)), darkest);
   QCOMPARE(std::size_t(at(shades, 1, 0)), darkest);
+}
+
+void TestHeat::theStepsAreToldApart() {
+  agreement::Tile counts;
+  for (std::size_t seen_by = 0; seen_by < 40; ++seen_by) counts.seen_by[seen_by] = std::uint8_t(seen_by);
+  const Shades shades = CoverageHeat::shades(counts);
+  const auto colors = CoverageHeat::colors();
+  const auto brightness = [&](int seen_by) {
+    const Argb color = colors[at(shades, seen_by, 0)];
+    return 0.2126 * double(color >> 16 & 255) + 0.7152 * double(color >> 8 & 255) +
+           0.0722 * double(color & 255);
+  };
+  int step = 0;
+  for (int seen_by = 3; seen_by < 40; ++seen_by) {
+    const bool next = seen_by == 3 || seen_by == 5 || seen_by == 9 || seen_by == 17;
+    QCOMPARE(int(at(shades, seen_by, 0)) - int(at(shades, seen_by - 1, 0)), next ? 1 : 0);
+    if (next) QVERIFY(brightness(seen_by - 1) - brightness(seen_by) > 35);
+    step += next ? 1 : 0;
+  }
+  QCOMPARE(step, 4);
 }
 
 }  // namespace test_heat

@@ -24,8 +24,7 @@ constexpr int kCoarsest = 8;  // a tile is one value
 // A square of this edge contains the centre of a pixel, however it is turned: none is ever lost.
 constexpr double kLeastPx = 1.4143;
 constexpr std::size_t kMostBytes = std::size_t(32) << 20;
-constexpr int kRampAlpha = 165, kOnceAlpha = 120;
-constexpr int kRampSteps = 5;
+constexpr int kRampAlpha = 185, kOnceAlpha = 120;
 
 /// One value for each square of 2^level cells, row by row from the lowest x, y; 0 = nothing is drawn.
 using Values = std::vector<std::uint8_t>;
@@ -300,12 +299,15 @@ void fillSample(LegendSample& sample, const std::function<int(int column)>& seen
 void coverageLegend(Legend& legend) {
   legend.addSample(LegendText::tr("Seen by one submap only: unverified"),
                    [](LegendSample& sample) { fillSample(sample, [](int) { return 1; }); });
-  legend.addSampleScale(LegendText::tr("2 submaps"), LegendText::tr("32 or more"), [](LegendSample& sample) {
-    fillSample(sample, [](int column) {
-      constexpr int kColumns = Legend::kScale.width() / 2;
-      return 2 << std::clamp((column + kColumns / 2) * kRampSteps / kColumns, 0, kRampSteps - 1);
-    });
-  });
+  const auto step = [&](const QString& text, int most) {
+    legend.addSample(text,
+                     [most](LegendSample& sample) { fillSample(sample, [most](int) { return most; }); });
+  };
+  step(LegendText::tr("Seen by 2 submaps"), 2);
+  step(LegendText::tr("3 to 4"), 4);
+  step(LegendText::tr("5 to 8"), 8);
+  step(LegendText::tr("9 to 16"), 16);
+  step(LegendText::tr("17 or more"), 17);
 }
 
 }  // namespace
