@@ -572,16 +572,6 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ClosuresModel</name>
-    <message numerus="yes">
-        <source>%1 constraints</source>
-        <translation>
-            <numerusform>%1 constraint</numerusform>
-            <numerusform>%1 constraints</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>mapwright::window::CloudsController</name>
     <message numerus="yes">
         <source>%1 points were received.</source>

@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableView>
 #include <QtTest>
 
@@ -126,11 +127,50 @@ class TestWindowClosures : public QObject {
     kinds->setCurrentIndex(0);
     dock.findChildren<QCheckBox*>().front()->click();
     QCOMPARE(dock.model()->rowCount(), 2);
-    QCOMPARE(desk.text(0, ClosuresModel::NodeColumn), QStringLiteral("2 constraints"));
-    dock.table()->setCurrentIndex(dock.model()->index(0, 0));
+    QCOMPARE(desk.text(0, ClosuresModel::NodeColumn), QStringLiteral("1 of 2"));
+    QVERIFY(!dock.model()->index(0, 0).siblingAtColumn(ClosuresModel::TimeColumn).data().isValid());
+  }
+
+  void aSubmapThatIsChosenIsListedAlone() {
+    Desk desk;
+    desk.graph.graph.submaps.push_back({{0, 10}, at(0, 0)});
+    desk.graph.graph.constraints.push_back(
+        {{0, 10}, {0, 1}, at(2, 0.01), map::ConstraintKind::Inter, 1, 1});
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 4);
+    QCheckBox* const by_submap = dock.findChildren<QCheckBox*>().front();
+    by_submap->click();
+    QCOMPARE(dock.model()->rowCount(), 3);
+    QCOMPARE(desk.text(1, ClosuresModel::SubmapColumn), QStringLiteral("0-1"));
+    dock.table()->setCurrentIndex(dock.model()->index(1, 0));
     QTest::keyClick(dock.table(), Qt::Key_Return);
-    QCOMPARE(dock.model()->rowCount(), 2);
-    QCOMPARE(dock.filterEdit()->text(), QStringLiteral("0-0"));
+    // Neither 0-10 nor the node 0-1.
+    QCOMPARE(dock.model()->rowCount(), 1);
+    QVERIFY(dock.filterEdit()->text().isEmpty());
+    QVERIFY(dock.onlySubmap()->isVisible());
+    QCOMPARE(dock.onlySubmap()->text(), QStringLiteral("Submap 0-1"));
+    dock.onlySubmap()->click();
+    QCOMPARE(dock.model()->rowCount(), 4);
+    QVERIFY(!dock.onlySubmap()->isVisible());
+    // Typed: a whole id is not the beginning of another one.
+    dock.filterEdit()->setText(QStringLiteral("0-10"));
+    QCOMPARE(dock.model()->rowCount(), 1);
+    dock.filterEdit()->setText(QStringLiteral("0-1"));
+    QCOMPARE(dock.model()->rowCount(), 3);
+  }
+
+  void theSubmapWithMostContradictionsIsFirst() {
+    ClosuresModel model;
+    const auto row = [](double off, int submap) {
+      return ClosureRow{.residual_m = off, .submap = map::SubmapId{0, submap}, .node = map::NodeId{0, 0}};
+    };
+    model.setRows({row(9, 1), row(2, 2), row(1, 2), row(0.5, 1), row(0.1, 3)});
+    model.setFilter({.by_submap = true});
+    QCOMPARE(model.rowCount(), 3);
+    QCOMPARE(model.row(0).submap->index, 2);
+    QCOMPARE(model.index(0, ClosuresModel::NodeColumn).data().toString(), QStringLiteral("2 of 2"));
+    QCOMPARE(model.index(1, ClosuresModel::NodeColumn).data().toString(), QStringLiteral("1 of 2"));
+    QCOMPARE(model.index(2, ClosuresModel::NodeColumn).data().toString(), QStringLiteral("0 of 1"));
   }
 
   void nothingIsAskedBeforeItIsLookedAt() {
@@ -173,6 +213,9 @@ class TestWindowClosures : public QObject {
     QTRY_COMPARE(dock.model()->rowCount(), 2);
     QCOMPARE(desk.text(0, ClosuresModel::ResidualColumn), QStringLiteral("4.000"));
     QVERIFY(desk.says(QStringLiteral("does not say which submaps")));
+    dock.findChildren<QCheckBox*>().front()->click();
+    QCOMPARE(dock.model()->rowCount(), 0);
+    QVERIFY(desk.says(QStringLiteral("does not name the submaps")));
   }
 };
 

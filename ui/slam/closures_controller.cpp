@@ -16,8 +16,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr double kAroundM = 2;            // of a place that is shown
-constexpr double kContradictsMapM = 0.5;  // as the layer colours it
+constexpr double kAroundM = 2;  // of a place that is shown
 
 std::vector<ClosureRow> rowsOf(const map::Closures& closures) {
   std::vector<ClosureRow> rows;
@@ -68,6 +67,7 @@ void ClosuresController::setSession(session::Session* session) {
   }
   session_ = session;
   marked_ = false;
+  dock_->listAllSubmaps();
   if (session_) {
     connect(&session_->poseGraph(), &session::PoseGraphSlot::changed, this, &ClosuresController::refresh);
     connect(session_, &session::Session::connectionChanged, this, &ClosuresController::refresh);

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QTableView>
 
 #include "sentences/plural.h"
@@ -35,6 +36,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
       least_(new DecimalBox(this)),
       by_submap_(new QCheckBox(tr("By submap"), this)),
       on_map_(new QCheckBox(tr("On the map"), this)),
+      only_submap_(new QPushButton(themedIcon(QStringLiteral("close")), {}, this)),
       table_(new QuietTableView(this)),
       count_(new PlainLabel(this)) {
   setObjectName(QStringLiteral("closures"));
@@ -55,8 +57,10 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   least_->setPrefix(tr("from "));
   least_->setSuffix(tr(" m"));
   least_->setAccessibleName(tr("Smallest residual that is listed"));
-  by_submap_->setToolTip(tr("One row for each submap, with its worst constraint; Enter lists the others"));
+  by_submap_->setToolTip(tr("One row for each submap: its worst constraint, and how many contradict the map; Enter lists them"));
   on_map_->setToolTip(tr("Draw loop closures on the map, coloured by how much they contradict it"));
+  only_submap_->setToolTip(tr("List the constraints of all submaps again"));
+  only_submap_->hide();
   showRows(*table_, model_, tr("Constraints"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   QHeaderView* const header = table_->horizontalHeader();
@@ -72,7 +76,8 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   columns_ = new NameColumn(table_, header, ClosuresModel::SubmapColumn,
                             {{ClosuresModel::TimeColumn},
                              {ClosuresModel::TurnColumn},
-                             {ClosuresModel::NodeColumn},
+                             // Needs more in one row for each submap.
+                             {ClosuresModel::NodeColumn, kIdLetters * letter_px, true},
                              {ClosuresModel::ResidualColumn}});
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->installEventFilter(this);
@@ -81,6 +86,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   body->setLayout(columnOf({rowOf({{summary_, 1}}, 0, QMargins(8, 6, 8, 0)),
                             rowOf({{filter_, 1}, least_}, 6, QMargins(8, 0, 8, 0)),
                             rowOf({{kinds_, 1}, by_submap_, on_map_}, 6, QMargins(8, 0, 8, 0)),
+                            rowOf({only_submap_, LayoutItem::rest()}, 0, QMargins(8, 0, 8, 0)),
                             {table_, 1},
                             rowOf({{count_, 1}}, 0, QMargins(8, 0, 8, 4))},
                            4, QMargins()));
@@ -88,7 +94,11 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   connect(filter_, &QLineEdit::textChanged, this, &ClosuresDock::applyFilter);
   connect(kinds_, &QComboBox::currentIndexChanged, this, &ClosuresDock::applyFilter);
   connect(least_, &QDoubleSpinBox::valueChanged, this, &ClosuresDock::applyFilter);
-  connect(by_submap_, &QCheckBox::toggled, this, &ClosuresDock::applyFilter);
+  connect(by_submap_, &QCheckBox::toggled, this, [this](bool by_submap) {
+    if (by_submap) submap_.reset();
+    applyFilter();
+  });
+  connect(only_submap_, &QPushButton::clicked, this, &ClosuresDock::listAllSubmaps);
   connect(on_map_, &QCheckBox::toggled, this, &ClosuresDock::onMapWanted);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& row) {
@@ -115,6 +125,11 @@ void ClosuresDock::setRows(std::vector<ClosureRow> rows) {
   count();
 }
 
+void ClosuresDock::listAllSubmaps() {
+  submap_.reset();
+  applyFilter();
+}
+
 void ClosuresDock::setOnMap(bool shown) { on_map_->setChecked(shown); }
 
 void ClosuresDock::applyFilter() {
@@ -123,7 +138,10 @@ void ClosuresDock::applyFilter() {
                      .intra = kind != LoopClosures,
                      .least_m = least_->value(),
                      .text = filter_->text().trimmed(),
+                     .submap = submap_,
                      .by_submap = by_submap_->isChecked()});
+  if (submap_) only_submap_->setText(tr("Submap %1").arg(QString::fromStdString(map::toText(*submap_))));
+  only_submap_->setVisible(submap_.has_value());
   columns_->fit();
   count();
 }
@@ -131,7 +149,9 @@ void ClosuresDock::applyFilter() {
 void ClosuresDock::count() {
   const int listed = model_->rowCount();
   const auto all = int(model_->all().size());
-  if (by_submap_->isChecked()) {
+  if (by_submap_->isChecked() && all > 0 && !model_->namesSubmaps()) {
+    count_->setText(tr("This robot does not name the submaps of its constraints."));
+  } else if (by_submap_->isChecked()) {
     count_->setText(sentences::counted(tr("%1 submaps", nullptr, listed), listed));
   } else {
     count_->setText(listed == all ? sentences::counted(tr("%1 constraints", nullptr, all), all)
@@ -144,7 +164,7 @@ void ClosuresDock::openSubmap() {
   if (!current.isValid()) return;
   const ClosureRow row = model_->row(current.row());
   if (!by_submap_->isChecked() || !row.submap) return;
-  filter_->setText(QString::fromStdString(map::toText(*row.submap)));
+  submap_ = row.submap;
   by_submap_->setChecked(false);
 }
 

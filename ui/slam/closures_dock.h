@@ -13,6 +13,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QMenu;
+class QPushButton;
 class QTableView;
 
 namespace mapwright::window {
@@ -30,6 +31,9 @@ class ClosuresDock : public QDockWidget {
   ClosuresModel* model() const { return model_; }
   QTableView* table() const { return table_; }
   QLineEdit* filterEdit() const { return filter_; }
+  /// Says that only one submap's constraints are listed; a click lists the others again.
+  QPushButton* onlySubmap() const { return only_submap_; }
+  void listAllSubmaps();
   /// What is known of the map as a whole: sentences.
   void setSummary(const QString& text);
   void setRows(std::vector<ClosureRow> rows);
@@ -59,6 +63,8 @@ class ClosuresDock : public QDockWidget {
   QComboBox* kinds_;
   DecimalBox* least_;
   QCheckBox *by_submap_, *on_map_;
+  QPushButton* only_submap_;
+  std::optional<map::SubmapId> submap_;
   QTableView* table_;
   PlainLabel* count_;
   NameColumn* columns_ = nullptr;

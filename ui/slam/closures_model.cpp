@@ -1,13 +1,14 @@
 #include "ui/slam/closures_model.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include <QDateTime>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include "geometry/pose.h"
-#include "sentences/plural.h"
 
 namespace mapwright::window {
 namespace {
@@ -37,24 +38,35 @@ void ClosuresModel::setFilter(ClosureFilter filter) {
 }
 
 void ClosuresModel::list() {
+  static const QRegularExpression whole_id(QStringLiteral("^\\d+-\\d+$"));
+  const bool whole = whole_id.match(filter_.text).hasMatch();
+  const auto named = [&](const QString& name) {
+    return whole ? name == filter_.text : name.startsWith(filter_.text);
+  };
   listed_.clear();
   std::map<map::SubmapId, std::size_t> seen;  // where it is listed
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ClosureRow& row = rows_[i];
     if (!(row.kind == map::ConstraintKind::Inter ? filter_.inter : filter_.intra)) continue;
     if (row.residual_m < filter_.least_m) continue;
-    if (!filter_.text.isEmpty() && !nameOf(row.submap).startsWith(filter_.text) &&
-        !nameOf(row.node).startsWith(filter_.text))
-      continue;
-    if (filter_.by_submap && row.submap) {
+    if (filter_.submap && row.submap != filter_.submap) continue;
+    if (!filter_.text.isEmpty() && !named(nameOf(row.submap)) && !named(nameOf(row.node))) continue;
+    if (!filter_.by_submap) {
+      listed_.push_back({i});
+    } else if (row.submap) {
       const auto [at, fresh] = seen.try_emplace(*row.submap, listed_.size());
-      if (!fresh) {
-        ++listed_[at->second].of_submap;
-        continue;
-      }
+      if (fresh) listed_.push_back({i});
+      Listed& listed = listed_[at->second];
+      ++listed.of_submap;
+      if (row.residual_m > kContradictsMapM) ++listed.contradict;
     }
-    listed_.push_back({i});
   }
+  std::stable_sort(listed_.begin(), listed_.end(),
+                   [](const Listed& a, const Listed& b) { return a.contradict > b.contradict; });
+}
+
+bool ClosuresModel::namesSubmaps() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const ClosureRow& row) { return row.submap.has_value(); });
 }
 
 QVariant ClosuresModel::data(const QModelIndex& index, int role) const {
@@ -75,11 +87,9 @@ QVariant ClosuresModel::data(const QModelIndex& index, int role) const {
     case SubmapColumn:
       return nameOf(row.submap);
     case NodeColumn:
-      return filter_.by_submap && row.submap
-                 ? sentences::counted(tr("%1 constraints", nullptr, listed.of_submap), listed.of_submap)
-                 : nameOf(row.node);
+      return filter_.by_submap ? tr("%1 of %2").arg(listed.contradict).arg(listed.of_submap) : nameOf(row.node);
     case TimeColumn: {
-      if (!row.stamp_s) return {};
+      if (!row.stamp_s || filter_.by_submap) return {};
       const QDateTime at = QDateTime::fromMSecsSinceEpoch(qint64(*row.stamp_s * 1000));
       return role == Qt::ToolTipRole ? QLocale().toString(at, QLocale::LongFormat)
                                      : at.toString(QStringLiteral("hh:mm:ss"));
@@ -99,6 +109,8 @@ QVariant ClosuresModel::headerData(int section, Qt::Orientation orientation, int
     if (section == ResidualColumn)
       return tr("How far the constraint has the robot from where the finished map has it, metres");
     if (section == TurnColumn) return tr("The same for its heading, degrees");
+    if (section == NodeColumn && filter_.by_submap)
+      return tr("How many of its constraints contradict the finished map by more than 0.5 m");
   }
   if (role != Qt::DisplayRole) return {};
   switch (Column(section)) {
@@ -109,9 +121,9 @@ QVariant ClosuresModel::headerData(int section, Qt::Orientation orientation, int
     case SubmapColumn:
       return tr("Submap");
     case NodeColumn:
-      return filter_.by_submap ? tr("Constraints") : tr("Node");
+      return filter_.by_submap ? tr("Over 0.5 m") : tr("Node");
     case TimeColumn:
-      return tr("Time");
+      return filter_.by_submap ? QString() : tr("Time");
     case kColumns:
       break;
   }

@@ -1,4 +1,5 @@
-// Constraints of the pose graph as a table, the largest residual first; or one row for each submap.
+// Constraints of the pose graph as a table, the largest residual first; or one row for each submap, that with
+// most constraints that contradict the map first.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,9 @@
 #include "map/closures.h"
 
 namespace mapwright::window {
+
+/// From here on a constraint contradicts the map, as the layer colours it.
+inline constexpr double kContradictsMapM = 0.5;
 
 /// A constraint as far as the robot says: of the residuals of a mapping robot only the lines are known.
 struct ClosureRow {
@@ -25,7 +29,8 @@ struct ClosureRow {
 struct ClosureFilter {
   bool inter = true, intra = false;
   double least_m = 0;
-  QString text = {};  // part of the name of the submap or the node
+  QString text = {};  // a whole name, as 0-12, of the submap or the node; otherwise the beginning of one
+  std::optional<map::SubmapId> submap = {};  // only this one's
   bool by_submap = false;
   bool operator==(const ClosureFilter&) const = default;
 };
@@ -42,6 +47,8 @@ class ClosuresModel : public QAbstractTableModel {
   void setFilter(ClosureFilter filter);
   const ClosureFilter& filter() const { return filter_; }
   const std::vector<ClosureRow>& all() const { return rows_; }
+  /// Whether the robot says which submaps and nodes it ties together.
+  bool namesSubmaps() const;
   /// Of the table; of a submap its worst.
   const ClosureRow& row(int row) const { return rows_[listed_[std::size_t(row)].row]; }
 
@@ -55,7 +62,7 @@ class ClosuresModel : public QAbstractTableModel {
  private:
   struct Listed {
     std::size_t row = 0;
-    int of_submap = 1;  // how many constraints the row stands for
+    int of_submap = 0, contradict = 0;  // how many constraints the row stands for, and those over the limit
   };
   void list();
 
