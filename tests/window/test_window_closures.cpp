@@ -2,8 +2,10 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QPushButton>
 #include <QTableView>
 #include <QtTest>
@@ -105,9 +107,61 @@ class TestWindowClosures : public QObject {
     const geometry::WorldRect seen = desk.window->mapScene()->view().visibleWorld();
     QVERIFY(seen.contains({20, 0}) && seen.contains({20, 3}));
     QVERIFY(desk.window->mapScene()->highlighted().contains({0, 0}));
+    QVERIFY(desk.says(QStringLiteral("Lies at 20.000, 0.000 m\nExpected at 20.000, 3.000 m")));
     desk.key(Qt::Key_Escape);
     desk.key(Qt::Key_Escape);
     QVERIFY(desk.window->mapScene()->highlighted().empty());
+  }
+
+  void aShortDistanceIsSeenWhenItsRowIsChosen() {
+    Desk desk;
+    desk.graph.graph.constraints = {{{0, 0}, {0, 1}, at(2, 0.028), map::ConstraintKind::Inter, 1, 1},
+                                    {{0, 0}, {0, 2}, at(20, 0), map::ConstraintKind::Inter, 1, 1}};
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 2);
+    desk.load();
+    const auto apart_px = [&](int row) {
+      dock.table()->setCurrentIndex(dock.model()->index(row, 0));
+      const ClosureRow& shown = dock.model()->row(row);
+      return (shown.expected - shown.at).norm() / part<MapView>(*desk.window)->destination().scale_m_per_px;
+    };
+    QVERIFY(apart_px(0) >= 20);
+    // Of none at all 30 cm are seen.
+    QCOMPARE(apart_px(1), 0.0);
+    QVERIFY(part<MapView>(*desk.window)->destination().visibleWorld().width() >= 0.29);
+  }
+
+  void aSquareIsWhereTheRobotShouldLie() {
+    scene::MapScene scene;
+    for (const scene::Layer layer : scene::allLayers()) scene.setLayerVisible(layer, false);
+    geometry::ViewTransform view;  // a pixel is 5 cm
+    view.width_px = 400;
+    view.height_px = 300;
+    scene.setView(view);
+    const auto painted = [&] {
+      QImage image(400, 300, QImage::Format_RGB32);
+      QPainter painter(&image);
+      const QRectF whole(0, 0, 400, 300);
+      scene.render(&painter, whole, whole);
+      return image;
+    };
+    const QImage ground = painted();
+    scene::MapObject closure;
+    closure.id.layer = scene::Layer::Closures;
+    closure.form = scene::ObjectForm::Line;
+    closure.parts = {{{-2, 0}, {2, 0}}};
+    scene.setMarked(closure);
+    const QImage marked = painted();
+    const auto drawn = [&](int x, int y) { return marked.pixel(x, y) != ground.pixel(x, y); };
+    QVERIFY(drawn(160, 150) && !drawn(240, 150));  // a dot, and a frame
+    QVERIFY(!drawn(168, 142) && drawn(248, 142));  // corners
+    // Away from each other they are named.
+    const auto written = [&](int from, int to) {
+      for (int x = from; x < to; ++x)
+        if (drawn(x, 150)) return true;
+      return false;
+    };
+    QVERIFY(written(100, 145) && written(256, 310));
   }
 
   void theListCanBeNarrowed() {
@@ -134,8 +188,7 @@ class TestWindowClosures : public QObject {
   void aSubmapThatIsChosenIsListedAlone() {
     Desk desk;
     desk.graph.graph.submaps.push_back({{0, 10}, at(0, 0)});
-    desk.graph.graph.constraints.push_back(
-        {{0, 10}, {0, 1}, at(2, 0.01), map::ConstraintKind::Inter, 1, 1});
+    desk.graph.graph.constraints.push_back({{0, 10}, {0, 1}, at(2, 0.01), map::ConstraintKind::Inter, 1, 1});
     ClosuresDock& dock = desk.openDock();
     QTRY_COMPARE(dock.model()->rowCount(), 4);
     QCheckBox* const by_submap = dock.findChildren<QCheckBox*>().front();

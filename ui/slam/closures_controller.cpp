@@ -12,11 +12,15 @@
 #include "ui/kit/panels.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/slam/closures_dock.h"
+#include "ui/view/map_view.h"
 
 namespace mapwright::window {
 namespace {
 
-constexpr double kAroundM = 2;  // of a place that is shown
+// Of what is seen around both places: in proportion to their distance, but never so little that nothing of
+// the map is recognised.
+constexpr double kAroundShare = 1.5, kAroundLeastM = 0.15, kAroundMostM = 2;
+constexpr double kClosestMPerPx = 0.0005;
 
 std::vector<ClosureRow> rowsOf(const map::Closures& closures) {
   std::vector<ClosureRow> rows;
@@ -68,6 +72,7 @@ void ClosuresController::setSession(session::Session* session) {
   session_ = session;
   marked_ = false;
   dock_->listAllSubmaps();
+  dock_->hidePlaces();
   if (session_) {
     connect(&session_->poseGraph(), &session::PoseGraphSlot::changed, this, &ClosuresController::refresh);
     connect(session_, &session::Session::connectionChanged, this, &ClosuresController::refresh);
@@ -149,21 +154,24 @@ void ClosuresController::show(const ClosureRow& row) {
   geometry::WorldRect around;
   around.extend(row.at);
   around.extend(row.expected);
-  const Eigen::Vector2d air(kAroundM, kAroundM);
-  around.extend(Eigen::Vector2d(row.at - air));
-  around.extend(Eigen::Vector2d(row.at + air));
-  context_.viewpoint.lookAt(around);
+  const double apart_m = (row.expected - row.at).norm();
+  around = around.grown(std::clamp(kAroundShare * apart_m, kAroundLeastM, kAroundMostM));
+  context_.viewpoint.choose();
+  context_.view.fit(around, true, kClosestMPerPx);
   scene::MapObject object;
+  object.id.layer = scene::Layer::Closures;
   object.form = scene::ObjectForm::Line;
   object.at_m = (row.at + row.expected) / 2;
   object.parts = {{row.at, row.expected}};
   context_.scene.setMarked(std::move(object));
+  dock_->setPlaces(row.at, row.expected);
   if (row.submap) Q_EMIT submapShown(*row.submap);
   marked_ = true;
 }
 
 bool ClosuresController::escape() {
   if (!std::exchange(marked_, false)) return false;
+  dock_->hidePlaces();
   context_.scene.setMarked(std::nullopt);
   return true;
 }

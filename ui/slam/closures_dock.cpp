@@ -31,6 +31,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
     : QDockWidget(tr("Loop closures"), parent),
       model_(new ClosuresModel(this)),
       summary_(wrappedLabel({}, this)),
+      places_(wrappedLabel({}, this)),
       filter_(new QLineEdit(this)),
       kinds_(new QComboBox(this)),
       least_(new DecimalBox(this)),
@@ -57,10 +58,13 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   least_->setPrefix(tr("from "));
   least_->setSuffix(tr(" m"));
   least_->setAccessibleName(tr("Smallest residual that is listed"));
-  by_submap_->setToolTip(tr("One row for each submap: its worst constraint, and how many contradict the map; Enter lists them"));
+  by_submap_->setToolTip(
+      tr("One row for each submap: its worst constraint, and how many contradict the map; Enter lists them"));
   on_map_->setToolTip(tr("Draw loop closures on the map, coloured by how much they contradict it"));
   only_submap_->setToolTip(tr("List the constraints of all submaps again"));
   only_submap_->hide();
+  places_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  places_->hide();
   showRows(*table_, model_, tr("Constraints"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   QHeaderView* const header = table_->horizontalHeader();
@@ -88,6 +92,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
                             rowOf({{kinds_, 1}, by_submap_, on_map_}, 6, QMargins(8, 0, 8, 0)),
                             rowOf({only_submap_, LayoutItem::rest()}, 0, QMargins(8, 0, 8, 0)),
                             {table_, 1},
+                            rowOf({{places_, 1}}, 0, QMargins(8, 0, 8, 0)),
                             rowOf({{count_, 1}}, 0, QMargins(8, 0, 8, 4))},
                            4, QMargins()));
   setWidget(body);
@@ -129,6 +134,16 @@ void ClosuresDock::listAllSubmaps() {
   submap_.reset();
   applyFilter();
 }
+
+void ClosuresDock::setPlaces(const Eigen::Vector2d& at, const Eigen::Vector2d& expected) {
+  const auto place = [](const Eigen::Vector2d& where) {
+    return QStringLiteral("%1, %2 m").arg(where.x(), 0, 'f', 3).arg(where.y(), 0, 'f', 3);
+  };
+  places_->setText(tr("Lies at %1\nExpected at %2").arg(place(at), place(expected)));
+  places_->show();
+}
+
+void ClosuresDock::hidePlaces() { places_->hide(); }
 
 void ClosuresDock::setOnMap(bool shown) { on_map_->setChecked(shown); }
 

@@ -37,6 +37,9 @@ class ClosuresDock : public QDockWidget {
   /// What is known of the map as a whole: sentences.
   void setSummary(const QString& text);
   void setRows(std::vector<ClosureRow> rows);
+  /// Of the closure on show, world: where the robot lies, and where it should lie.
+  void setPlaces(const Eigen::Vector2d& at, const Eigen::Vector2d& expected);
+  void hidePlaces();
   /// Whether the layer is on the map.
   void setOnMap(bool shown);
 
@@ -58,7 +61,7 @@ class ClosuresDock : public QDockWidget {
   void showMenu(const QPoint& at);
 
   ClosuresModel* model_;
-  QLabel* summary_;
+  QLabel *summary_, *places_;
   QLineEdit* filter_;
   QComboBox* kinds_;
   DecimalBox* least_;

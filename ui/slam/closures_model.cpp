@@ -66,7 +66,8 @@ void ClosuresModel::list() {
 }
 
 bool ClosuresModel::namesSubmaps() const {
-  return std::any_of(rows_.begin(), rows_.end(), [](const ClosureRow& row) { return row.submap.has_value(); });
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [](const ClosureRow& row) { return row.submap.has_value(); });
 }
 
 QVariant ClosuresModel::data(const QModelIndex& index, int role) const {
@@ -87,7 +88,8 @@ QVariant ClosuresModel::data(const QModelIndex& index, int role) const {
     case SubmapColumn:
       return nameOf(row.submap);
     case NodeColumn:
-      return filter_.by_submap ? tr("%1 of %2").arg(listed.contradict).arg(listed.of_submap) : nameOf(row.node);
+      return filter_.by_submap ? tr("%1 of %2").arg(listed.contradict).arg(listed.of_submap)
+                               : nameOf(row.node);
     case TimeColumn: {
       if (!row.stamp_s || filter_.by_submap) return {};
       const QDateTime at = QDateTime::fromMSecsSinceEpoch(qint64(*row.stamp_s * 1000));
