@@ -254,6 +254,23 @@ class TestWindowClosures : public QObject {
     QTRY_VERIFY(desk.says(QStringLiteral("The pose graph was not read.")));
   }
 
+  void aHeaderSortsAndTheRowStaysCurrent() {
+    Desk desk;
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 3);
+    dock.table()->setCurrentIndex(dock.model()->index(0, 0));
+    QCOMPARE(desk.text(0, ClosuresModel::ResidualColumn), QStringLiteral("3.000"));
+    dock.table()->sortByColumn(ClosuresModel::SubmapColumn, Qt::DescendingOrder);
+    QCOMPARE(desk.text(0, ClosuresModel::SubmapColumn), QStringLiteral("0-1"));
+    QCOMPARE(dock.table()->currentIndex().row(), 1);
+    dock.table()->sortByColumn(ClosuresModel::ResidualColumn, Qt::AscendingOrder);
+    QCOMPARE(desk.text(0, ClosuresModel::ResidualColumn), QStringLiteral("0.050"));
+    QCOMPARE(dock.table()->currentIndex().row(), 2);
+    // Neither: the worst first.
+    dock.table()->sortByColumn(-1, Qt::AscendingOrder);
+    QCOMPARE(dock.table()->currentIndex().row(), 0);
+  }
+
   void residualsOfAMappingRobotAreListedWithoutIds() {
     Desk desk;
     desk.with_graph = false;

@@ -69,6 +69,9 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
+  header->setSortIndicator(-1, Qt::AscendingOrder);
+  header->setSortIndicatorClearable(true);
+  table_->setSortingEnabled(true);
   const int letter_px = fontMetrics().averageCharWidth();
   const auto widen = [&](int column, int letters) {
     header->resizeSection(column, std::max(letters * letter_px, header->sectionSizeHint(column)));

@@ -61,8 +61,47 @@ void ClosuresModel::list() {
       if (row.residual_m > kContradictsMapM) ++listed.contradict;
     }
   }
-  std::stable_sort(listed_.begin(), listed_.end(),
-                   [](const Listed& a, const Listed& b) { return a.contradict > b.contradict; });
+  arrange();
+}
+
+void ClosuresModel::arrange() {
+  const auto before = [this](const Listed& a, const Listed& b) {
+    const ClosureRow &one = rows_[a.row], &other = rows_[b.row];
+    switch (sort_column_) {
+      case ResidualColumn:
+        return one.residual_m < other.residual_m;
+      case TurnColumn:
+        return one.residual_rad < other.residual_rad;
+      case SubmapColumn:
+        return one.submap < other.submap;
+      case NodeColumn:
+        return filter_.by_submap ? a.contradict < b.contradict : one.node < other.node;
+      case TimeColumn:
+        return !filter_.by_submap && one.stamp_s < other.stamp_s;
+      default:
+        return a.contradict > b.contradict;
+    }
+  };
+  if (sort_column_ >= 0 && sort_order_ == Qt::DescendingOrder)
+    std::stable_sort(listed_.rbegin(), listed_.rend(), before);
+  else
+    std::stable_sort(listed_.begin(), listed_.end(), before);
+}
+
+void ClosuresModel::sort(int column, Qt::SortOrder order) {
+  Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
+  const QModelIndexList kept = persistentIndexList();
+  std::vector<std::size_t> rows;
+  for (const QModelIndex& one : kept) rows.push_back(listed_[std::size_t(one.row())].row);
+  sort_column_ = column;
+  sort_order_ = order;
+  list();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto now = std::find_if(listed_.begin(), listed_.end(),
+                                  [&](const Listed& listed) { return listed.row == rows[i]; });
+    changePersistentIndex(kept[qsizetype(i)], index(int(now - listed_.begin()), kept[qsizetype(i)].column()));
+  }
+  Q_EMIT layoutChanged({}, VerticalSortHint);
 }
 
 bool ClosuresModel::namesSubmaps() const {
@@ -107,6 +146,9 @@ QVariant ClosuresModel::headerData(int section, Qt::Orientation orientation, int
   if (role == Qt::TextAlignmentRole)
     return int((section == ResidualColumn || section == TurnColumn ? Qt::AlignRight : Qt::AlignLeft) |
                Qt::AlignVCenter);
+  const bool figures =
+      section == ResidualColumn || section == TurnColumn || (section == NodeColumn && filter_.by_submap);
+  if (role == Qt::InitialSortOrderRole) return int(figures ? Qt::DescendingOrder : Qt::AscendingOrder);
   if (role == Qt::ToolTipRole) {
     if (section == ResidualColumn)
       return tr("How far the constraint has the robot from where the finished map has it, metres");

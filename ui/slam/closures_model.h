@@ -58,6 +58,8 @@ class ClosuresModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// -1: the worst first.
+  void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
  private:
   struct Listed {
@@ -65,10 +67,13 @@ class ClosuresModel : public QAbstractTableModel {
     int of_submap = 0, contradict = 0;  // how many constraints the row stands for, and those over the limit
   };
   void list();
+  void arrange();
 
   std::vector<ClosureRow> rows_;
   std::vector<Listed> listed_;
   ClosureFilter filter_;
+  int sort_column_ = -1;
+  Qt::SortOrder sort_order_ = Qt::AscendingOrder;
 };
 
 }  // namespace mapwright::window
