@@ -1,10 +1,14 @@
 // The frame of the chosen object, and the marker of a place that the user went to.
+#include "scene/drawing.h"
+#include "scene/label_ink.h"
 #include "scene/layer_item.h"
+#include "scene/layer_objects.h"
 
 namespace mapwright::scene {
 namespace {
 
 constexpr double kRingPx = 13, kCrossPx = 14;
+constexpr double kLiesDotPx = 9, kExpectedSquarePx = 17, kPlaceNamePx = 14;  // the last: from the place
 
 void strokeTwice(QPainter& painter, const MapTheme& theme, double width, const std::function<void()>& draw) {
   painter.setBrush(Qt::NoBrush);
@@ -12,6 +16,33 @@ void strokeTwice(QPainter& painter, const MapTheme& theme, double width, const s
     painter.setPen(QPen(color, px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     draw();
   }
+}
+
+/// A loop closure has two places. As in its layer, a square is where the robot should lie.
+bool hasPlaces(const MapObject& object) {
+  return object.id.layer == Layer::Closures && object.parts.size() == 1 && object.parts.front().size() == 2;
+}
+QString liesText() { return ObjectText::tr("lies here"); }
+QString expectedText() { return ObjectText::tr("should lie here"); }
+
+void paintPlaces(QPainter& painter, const LayerContext& context, const map::Polyline& line) {
+  const QPointF lies = toPoint(context.view.pixelFromWorld(line.front()));
+  const QPointF expected = toPoint(context.view.pixelFromWorld(line.back()));
+  strokeTwice(painter, context.theme, kLiesDotPx, [&] { painter.drawPoint(lies); });
+  strokeTwice(painter, context.theme, 2,
+              [&] { painter.drawRect(squareAround(expected, kExpectedSquarePx / 2)); });
+  // Away from each other.
+  const double length_px = QLineF(lies, expected).length();
+  const QPointF along = length_px > 1 ? (expected - lies) / length_px : QPointF(1, 0);
+  const auto write = [&](const QPointF& place, const QPointF& away, const QString& text) {
+    const QSizeF size = context.ink->sizeOf(text, context.theme);
+    const QPointF middle =
+        place + away * kPlaceNamePx + QPointF(away.x() * size.width() / 2, away.y() * size.height() / 2);
+    context.ink->draw(painter, middle - QPointF(size.width(), size.height()) / 2, text, context.theme,
+                      context.theme.accent);
+  };
+  write(lies, -along, liesText());
+  write(expected, along, expectedText());
 }
 
 }  // namespace
@@ -25,7 +56,11 @@ QRectF MarkItem::covers() const {
          {Eigen::Vector2d(bounds.min_x, bounds.min_y), Eigen::Vector2d(bounds.max_x, bounds.min_y),
           Eigen::Vector2d(bounds.max_x, bounds.max_y), Eigen::Vector2d(bounds.min_x, bounds.max_y)})
       corners << toPoint(context_.view.pixelFromWorld(corner));
-    covered |= corners.boundingRect().adjusted(-kRingPx - 4, -kRingPx - 4, kRingPx + 4, kRingPx + 4);
+    double reach = kRingPx + 4;
+    if (hasPlaces(*context_.marked) && context_.ink)
+      for (const QString& text : {liesText(), expectedText()})
+        reach = std::max(reach, context_.ink->sizeOf(text, context_.theme).width() + kPlaceNamePx + 4);
+    covered |= corners.boundingRect().adjusted(-reach, -reach, reach, reach);
   }
   if (context_.marker) {
     const QPointF at = toPoint(context_.view.pixelFromWorld(*context_.marker));
@@ -64,6 +99,7 @@ void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
         painter->drawEllipse(toPoint(context_.view.pixelFromWorld(object->at_m)), kRingPx, kRingPx);
     });
     if (!object->parts.empty()) paintCasing(*painter, *object);
+    if (hasPlaces(*object) && context_.ink) paintPlaces(*painter, context_, object->parts.front());
   }
   if (context_.marker) {
     const QPointF at = toPoint(context_.view.pixelFromWorld(*context_.marker));
