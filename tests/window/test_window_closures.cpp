@@ -132,7 +132,7 @@ class TestWindowClosures : public QObject {
   }
 
   void aSquareIsWhereTheRobotShouldLie() {
-    scene::MapScene scene;
+    scene::MapScene scene{render::TileRenderer::Options{}};
     for (const scene::Layer layer : scene::allLayers()) scene.setLayerVisible(layer, false);
     geometry::ViewTransform view;  // a pixel is 5 cm
     view.width_px = 400;
