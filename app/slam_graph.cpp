@@ -303,8 +303,8 @@ CommandResult<Ranked> rankedOf(RobotReading& reading, const ClosuresArguments& a
   session.want(QStringLiteral("command"), {map::Stream::Constraints});
   if (!args.bag.empty()) {
     if (const auto failed = reading.recall(args.at)) return tl::make_unexpected(*failed);
-    if (!session.heard(map::topicIndex<map::ConstraintsMessage>()))
-      return reading.failure(kRobotError, Text::tr("The bag contains no constraints up to this time."));
+    if (!session.live().constraints.by_name.empty()) return rankSegments(session.live().constraints);
+    return reading.failure(kRobotError, Text::tr("The bag contains no constraints up to this time."));
   }
   const auto heard = [&] { return session.heard(map::topicIndex<map::ConstraintsMessage>()).has_value(); };
   if (!reading.waitUntil(heard))

@@ -173,7 +173,7 @@ class SlamCommandTest : public QObject {
     const QString file = program_.path("drive.mcap");
     const Outcome recorded =
         program_.run({QStringLiteral("record"), QStringLiteral("--robot"), QStringLiteral("demo:"),
-                      QStringLiteral("--duration"), QStringLiteral("3"), QStringLiteral("--topic"),
+                      QStringLiteral("--duration"), QStringLiteral("3"), QStringLiteral("--topics"),
                       QStringLiteral("/constraint_list"), QStringLiteral("-o"), file});
     QVERIFY2(recorded.code == 0, qPrintable(recorded.out + recorded.err));
     const Outcome there =

@@ -41,8 +41,8 @@ std::vector<map::Problem> problemsOf(const std::vector<Fault>& losses) {
     }
     alike.resize(std::min(alike.size(), kMostNamed));
     problems.push_back(
-        problemOf({std::size_t(count) > kMostNamed ? faultText("state_file", "%1 losses, the first of them")
-                                                   : faultText("state_file", "%1 losses"),
+        problemOf({std::size_t(count) > kMostNamed ? faultText("pbstream", "%1 losses, the first of them")
+                                                   : faultText("pbstream", "%1 losses"),
                    {count},
                    std::move(alike)}));
   }
