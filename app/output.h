@@ -12,6 +12,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "disk/existing.h"
+
 namespace mapwright::app {
 
 /// One line of at most `most` characters for a terminal: without control characters and line breaks; longer
@@ -67,5 +69,9 @@ std::optional<QString> reportOverSource(const QString& report, const std::vector
 /// are read meanwhile, `force` or not. A stream is written into.
 std::optional<QString> notCreatedReason(const QString& path, bool force,
                                         const std::vector<std::string>& sources = {});
+/// The same for such a file that appears while the command runs.
+inline disk::Existing existingBy(bool force) {
+  return force ? disk::Existing::Replace : disk::Existing::Refuse;
+}
 
 }  // namespace mapwright::app

@@ -145,8 +145,7 @@ class RecordRun {
     }
     if (auto failure = live_.connectToRobot()) return tl::make_unexpected(*failure);
     if (live_.stopped()) return kDone;  // nothing was started
-    auto target = recording::appendFile(
-        args_.output, args_.force ? recording::Existing::Replace : recording::Existing::Refuse);
+    auto target = recording::appendFile(args_.output, existingBy(args_.force));
     if (!target) return notWritten(target.error());
     Recorder::Options options;
     options.kind = knownAddresses().kindOf(text(args_.robot));

@@ -15,6 +15,9 @@ inline constexpr FaultCode NotARegularFile{"disk", QT_TRANSLATE_NOOP("disk", "it
 inline constexpr FaultCode GitLfsPointer{
     "disk",
     QT_TRANSLATE_NOOP("disk", "it is a pointer of Git LFS, not the file itself (git lfs pull fetches it)")};
+/// path
+inline constexpr FaultCode NameTaken{
+    "disk", QT_TRANSLATE_NOOP("disk", "a file of that name is there already; the result is in %1")};
 /// folder, the system's words
 inline constexpr FaultCode NoFileInFolder{"disk",
                                           QT_TRANSLATE_NOOP("disk", "no file can be created in %1 (%2)")};

@@ -4,9 +4,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <poll.h>
 #include <random>
@@ -48,6 +50,28 @@ std::string nameBeside(const std::string& target, unsigned number) {
   return folderOf(target) + "/.mapwright-" + std::to_string(number) + ".part";
 }
 
+/// "/maps/office-2.yaml"
+std::string numbered(const std::string& path, int number) {
+  const std::filesystem::path name(path);
+  return name.parent_path() /
+         (name.stem().string() + '-' + std::to_string(number) + name.extension().string());
+}
+
+/// False, with errno: there is something of that name already, or another reason.
+bool renameToNothing(const std::string& from, const std::string& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  // Not known to this file system: the name is taken first.
+  const int taken = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (taken < 0) return false;
+  ::close(taken);
+  if (::rename(from.c_str(), to.c_str()) == 0) return true;
+  const int why = errno;
+  ::unlink(to.c_str());
+  errno = why;
+  return false;
+}
+
 /// The umask; nullopt: unknown. (The system call to read it would change it.)
 std::optional<mode_t> umaskNow() {
   std::ifstream status("/proc/self/status");
@@ -73,11 +97,15 @@ bool synced(int fd) {
 
 }  // namespace
 
+Existing existingNow(const std::string& path) {
+  return ::access(path.c_str(), F_OK) == 0 ? Existing::Replace : Existing::Refuse;
+}
+
 bool isStandardOutput(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
-WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
+WrittenFile::WrittenFile(std::string path, Existing existing) : path_(std::move(path)), existing_(existing) {
   buffer_.reserve(kBuffer);
   if (isStandardOutput(path_)) {
     mode_ = Mode::Through;
@@ -109,7 +137,8 @@ void WrittenFile::openAside() {
   target_ = followed(path_);
   if (target_.empty()) return fail(ELOOP);
   struct stat before {};
-  const bool replaces = ::stat(target_.c_str(), &before) == 0;
+  // What may replace nothing is made all the same: it may have taken long, and is kept beside.
+  const bool replaces = existing_ == Existing::Replace && ::stat(target_.c_str(), &before) == 0;
   if (replaces && !S_ISREG(before.st_mode)) return fail(EINVAL);  // it has become something else
   // Moving a file into place only needs permission for the folder.
   if (replaces && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) return fail(errno);
@@ -155,10 +184,8 @@ bool WrittenFile::give(const std::string& name) {
   return ::linkat(AT_FDCWD, linkOf(fd_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
-bool WrittenFile::giveName() {
-  // A link can create a name but not replace a file: an existing one is replaced by renaming.
-  const bool at_once = !replaces_ && give(target_);
-  bool given = at_once;
+void WrittenFile::nameAside() {
+  bool given = false;
   std::random_device random;
   for (int tries = 0; tries < kMostNames && !given; ++tries) {
     aside_ = nameBeside(target_, random());
@@ -167,7 +194,6 @@ bool WrittenFile::giveName() {
   }
   if (!given) copyAside();
   if (fd_ >= 0) ::close(std::exchange(fd_, -1));
-  return at_once;
 }
 
 void WrittenFile::copyAside() {
@@ -264,27 +290,54 @@ bool WrittenFile::finish() {
   return good();
 }
 
+std::string WrittenFile::whereNow() const {
+  if (placed_) return target_;
+  return aside_.empty() ? linkOf(fd_) : aside_;
+}
+
+void WrittenFile::moveIntoPlace() {
+  // A link can create a name but not replace a file: an existing one is replaced by renaming.
+  if (unnamed_ && !replaces_ && give(target_)) return;
+  if (unnamed_) nameAside();
+  if (!good()) return;
+  if (auto problem = moveInto(aside_, target_, existing_)) {
+    fail(problem->cause);
+    if (problem->cause.code != fault::NameTaken) return;
+    target_ = std::get<std::string>(problem->cause.arguments[0]);
+  }
+  aside_.clear();
+}
+
 std::optional<FileError> WrittenFile::place() {
   finish();
   if (good() && !std::exchange(placed_, true) && mode_ == Mode::Aside) {
-    const bool named = unnamed_ && giveName();
-    if (good() && !named && ::rename(aside_.c_str(), target_.c_str()) != 0) fail(errno);
-    if (good()) {
-      aside_.clear();
-      // So that the new name survives a power cut, too; if the folder does not support this, it is still
-      // there.
-      const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      if (folder >= 0) {
-        synced(folder);
-        ::close(folder);
-      }
+    moveIntoPlace();
+    // So that the new name survives a power cut, too; if the folder does not support this, it is still there.
+    const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+      synced(folder);
+      ::close(folder);
     }
   }
   return problem_;
 }
 
-std::optional<FileError> writeFile(const std::string& path, std::string_view bytes) {
-  WrittenFile file(path);
+std::optional<FileError> moveInto(const std::string& from, const std::string& to, Existing existing) {
+  const bool moved =
+      existing == Existing::Replace ? ::rename(from.c_str(), to.c_str()) == 0 : renameToNothing(from, to);
+  if (moved) return std::nullopt;
+  if (existing == Existing::Replace || errno != EEXIST) return systemError(to, errno);
+  std::string kept = from;
+  for (int number = 1; number <= kMostNames; ++number) {
+    const std::string beside = numbered(to, number);
+    if (renameToNothing(from, beside)) kept = beside;
+    if (kept != from || errno != EEXIST) break;
+  }
+  return FileError{to, {fault::NameTaken, {kept}}};
+}
+
+std::optional<FileError> writeFile(const std::string& path, std::string_view bytes, Existing existing) {
+  WrittenFile file(path, existing);
   file.write(bytes);
   return file.place();
 }

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "disk/existing.h"
 #include "disk/file_error.h"
 
 namespace mapwright::recording {
@@ -22,7 +23,7 @@ class AppendTarget {
   virtual std::optional<disk::FileError> settle() = 0;
 };
 
-enum class Existing : std::uint8_t { Refuse, Replace };
+using disk::Existing;
 
 /// Creates a file; anything but a regular file is refused.
 tl::expected<std::unique_ptr<AppendTarget>, disk::FileError> appendFile(const std::string& path,

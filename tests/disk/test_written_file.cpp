@@ -125,6 +125,58 @@ class WrittenFileTest : public QObject {
     QCOMPARE(names(), QStringList{QStringLiteral("a")});
   }
 
+  void whatMayReplaceNothingIsKeptBesideIt_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("kept");
+    QTest::addRow("extension") << QStringLiteral("a.csv") << QStringLiteral("a-1.csv");
+    QTest::addRow("none") << QStringLiteral("a") << QStringLiteral("a-1");
+    QTest::addRow("two") << QStringLiteral("a.b.csv") << QStringLiteral("a.b-1.csv");
+    QTest::addRow("hidden") << QStringLiteral(".a") << QStringLiteral(".a-1");
+  }
+  void whatMayReplaceNothingIsKeptBesideIt() {
+    QFETCH(QString, name);
+    QFETCH(QString, kept);
+    for (const bool finished_before : {false, true}) {
+      init();
+      const std::string here = at(qPrintable(name)), beside = at(qPrintable(kept));
+      WrittenFile file(here, Existing::Refuse);
+      file.write("mine");
+      if (finished_before) {
+        QVERIFY(file.finish());
+        QCOMPARE(read(file.whereNow()), std::string("mine"));
+      }
+      put(here, "another's");
+      const auto problem = file.place();
+      QVERIFY(problem && problem->path == here);
+      QVERIFY((problem->cause == mapwright::Fault{mapwright::disk::fault::NameTaken, {beside}}));
+      QCOMPARE(file.whereNow(), beside);
+      QCOMPARE(read(here), std::string("another's"));
+      QCOMPARE(read(beside), std::string("mine"));
+      QCOMPARE(names().size(), 2);
+    }
+  }
+
+  void whatIsKeptReplacesNothingEither() {
+    put(at("a-1.csv"), "older");
+    WrittenFile file(at("a.csv"), Existing::Refuse);
+    file.write("mine");
+    put(at("a.csv"), "another's");
+    QVERIFY(file.place());
+    QCOMPARE(read(at("a-1.csv")), std::string("older"));
+    QCOMPARE(read(at("a-2.csv")), std::string("mine"));
+  }
+
+  void whatMayReplaceNothingIsWrittenWhereNothingIs() {
+    QCOMPARE(existingNow(at("a")), Existing::Refuse);
+    QVERIFY(!writeFile(at("a"), "one", Existing::Refuse));
+    QCOMPARE(existingNow(at("a")), Existing::Replace);
+    QVERIFY(writeFile(at("a"), "two", Existing::Refuse));
+    QCOMPARE(read(at("a")), std::string("one"));
+    QCOMPARE(read(at("a-1")), std::string("two"));
+    QCOMPARE(names().size(), 2);
+    QVERIFY(!writeFile("/dev/null", "gone", Existing::Refuse));
+  }
+
   void whatDoesNotFitLeavesTheOldFile_data() {
     QTest::addColumn<int>("bytes");
     // Smaller than any buffer, as large as one, and larger than several.
