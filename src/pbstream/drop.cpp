@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <fcntl.h>
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <sys/stat.h>
-#include <unistd.h>
 #include <vector>
 
 #include <google/protobuf/io/coded_stream.h>
@@ -165,19 +160,6 @@ Fault exists(const std::string& path) {
       {path}};
 }
 
-/// False, with errno: there is a file of that name already, or something else.
-bool rename(const std::string& from, const std::string& to) {
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
-  if (errno != EINVAL && errno != ENOSYS) return false;
-  // File systems that know no such thing have links.
-  return ::link(from.c_str(), to.c_str()) == 0 && ::unlink(from.c_str()) == 0;
-}
-
-Fault notRenamed(const std::string& to) {
-  if (errno == EEXIST) return exists(to);
-  return {faultText("pbstream", "%1 cannot be written: %2."), {to, std::strerror(errno)}};
-}
-
 /// The same poses, also those that are not a number.
 bool sameBits(const geometry::Pose3& a, const geometry::Pose3& b) {
   const auto same = [](double one, double other) {
@@ -233,9 +215,8 @@ class Dropping {
   const map::PoseGraph& expected() const { return expected_; }
   DropReceipt receipt;
 
-  Fault write(const std::string& to) {
+  Fault write(disk::WrittenFile& out) {
     if (Fault why = rewriteGraph(); why.any()) return why;
-    disk::WrittenFile out(to);
     if (Fault why = copy(0, kSignatureBytes, out); why.any()) return why;
     for (Record record = first(); record.offset < file_.file->size(); record = next(record)) {
       if (over(record, 1)) return fault::Cancelled;
@@ -254,8 +235,7 @@ class Dropping {
       }
       if (why.any()) return inRecord(record, std::move(why));
     }
-    if (const auto error = out.place()) return disk::notWritten(*error);
-    return {};
+    return out.finish() ? Fault() : disk::notWritten(*out.place());
   }
 
   /// Reads the new file and compares it with what it should be.
@@ -526,14 +506,11 @@ tl::expected<DropReceipt, Fault> drop(const std::string& from, const Dropped& wh
   Dropping dropping(*file, what, cancelled, progressed);
   if (Fault why = danglingIn(dropping.expected()); why.any()) return no(std::move(why));
   // What has not been compared does not have the name, also if the program is killed.
-  const std::string aside = to + ".unchecked-" + std::to_string(::getpid());
-  Fault why = dropping.write(aside);
-  if (!why.any()) why = dropping.compare(aside);
-  // Somebody may have taken the name meanwhile.
-  if (!why.any() && !rename(aside, to)) why = notRenamed(to);
-  if (!why.any()) return dropping.receipt;
-  ::unlink(aside.c_str());
-  return no(std::move(why));
+  disk::WrittenFile out(to, disk::Existing::Refuse);
+  if (Fault why = dropping.write(out); why.any()) return no(std::move(why));
+  if (Fault why = dropping.compare(out.whereNow()); why.any()) return no(std::move(why));
+  if (const auto error = out.place()) return no(disk::notWritten(*error));
+  return dropping.receipt;
 }
 
 }  // namespace mapwright::pbstream
