@@ -81,6 +81,7 @@ excerpt::Order excerptOf(const BagsArguments& args, const BagReading& bags, cons
                 : order.format == QLatin1String("geojson") ? excerpt::Kind::TrackGeoJson
                                                            : excerpt::Kind::TrackTum;
   wanted.path = args.output;
+  wanted.existing = existingBy(args.force);
   wanted.span = order.span;
   wanted.topics = args.topics;
   const QString address = bags.robot().session().robot().address();
@@ -240,6 +241,7 @@ CommandResult<int> bagsRepair(RobotCommand&, const BagsArguments& args) {
   if (const auto why = notIntoReason(text(args.output), {*path}, args.force)) return wrong(*why);
   excerpt::Order order;
   order.path = args.output;
+  order.existing = existingBy(args.force);
   order.repair = true;
   const auto made = excerpt::sliceRecording(*path, order);
   if (!made) return notOpened(made.error());
@@ -290,6 +292,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
   for (std::size_t number = 0; number < parts.size(); ++number) {
     excerpt::Order order;
     order.path = files[qsizetype(number)].toStdString();
+    order.existing = existingBy(args.force);
     order.topics = args.topics;
     // The first and the last part include everything up to the ends, in spite of rounding.
     if (number > 0) order.first_ns = startOf(parts[number]);
@@ -312,6 +315,7 @@ CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
   if (!span) return passOn(span);
   excerpt::Order order;
   order.path = args.output;
+  order.existing = existingBy(args.force);
   order.span = *span;
   order.topics = args.topics;
   const auto made = excerpt::mergeRecordings(args.files, order);

@@ -97,7 +97,7 @@ CommandResult<int> exportCloud(RobotCommand& command, const CloudsArguments& arg
                                     "requested one. Nothing was written."));
   }
   for (const QString& note : came->notes()) reading.addRemark(note);
-  disk::WrittenFile file(order->path.toStdString());
+  disk::WrittenFile file(order->path.toStdString(), existingBy(args.force));
   const auto written = clouds::writeCloud(*came->cloud, order->format, [&](std::string_view bytes) {
     file.write(bytes);
     return file.good() && !reading.time().over();

@@ -400,8 +400,12 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
   const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(args.id), resolutionOf(args));
   if (!placed) return passOn(placed);
-  const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference}, files, output,
-                                    args.world_file, *form};
+  const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
+                                    files,
+                                    output,
+                                    args.world_file,
+                                    *form,
+                                    existingBy(args.force)};
   if (const auto missing = missingReason(args, *placed)) return wrong(*missing);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);

@@ -129,7 +129,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   if (!of) return passOn(of);
   const auto held = heldBy(*of);
   if (!held) return failureOf(*of, held.error());
-  if (const auto trouble = disk::writeFile(args.output, held->text))
+  if (const auto trouble = disk::writeFile(args.output, held->text, existingBy(args.force)))
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   const auto document = OverlayDocument::read(held->text);
   if (!document) {
@@ -182,7 +182,8 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
   command.report(QStringLiteral("overlays"), json);
   const QString output = text(args.output);
   if (!output.isEmpty()) {
-    if (const auto trouble = disk::writeFile(args.output, QJsonDocument(json).toJson().toStdString()))
+    if (const auto trouble =
+            disk::writeFile(args.output, QJsonDocument(json).toJson().toStdString(), existingBy(args.force)))
       return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   }
   if (args.json) printJson(json);
@@ -360,7 +361,7 @@ CommandResult<int> historyShow(const OverlaysArguments& args) {
   const auto version = keptVersion(args.number);
   if (!version) return wrong(version.error());
   if (!output.isEmpty()) {
-    if (const auto trouble = disk::writeFile(args.output, version->text))
+    if (const auto trouble = disk::writeFile(args.output, version->text, existingBy(args.force)))
       return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
     return kDone;
   }

@@ -107,7 +107,7 @@ CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArgumen
       *kind == WaypointFileKind::Csv
           ? exchange::waypointsCsv(list->stored.points, list->mapId())
           : exchange::waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
-  if (const auto trouble = disk::writeFile(args.output, bytes))
+  if (const auto trouble = disk::writeFile(args.output, bytes, existingBy(args.force)))
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   if (!isStandardOutput(output)) {
     const auto count = qint64(list->stored.points.size());
@@ -375,7 +375,7 @@ CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments
     const exchange::WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
                                       exchange::itemsOf(list->stored.points), *edits};
     const QByteArray bytes = exchange::planBytes(plan, callsOf(*list, *edits));
-    if (const auto trouble = disk::writeFile(args.output, bytes.toStdString()))
+    if (const auto trouble = disk::writeFile(args.output, bytes.toStdString(), existingBy(args.force)))
       return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   }
   const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);

@@ -22,7 +22,7 @@ std::int64_t oddIn(const replay::Chunk& chunk) {
 
 class Lines : public Writing {
  public:
-  explicit Lines(const Order& order) : order_(order), file_(order.path) {}
+  explicit Lines(const Order& order) : order_(order), file_(order.path, order.existing) {}
 
   std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
@@ -172,7 +172,7 @@ class Mcap : public Writing {
 
 class Track : public Writing {
  public:
-  explicit Track(const Order& order) : order_(order), file_(order.path) {}
+  explicit Track(const Order& order) : order_(order), file_(order.path, order.existing) {}
 
   std::optional<disk::FileError> add(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
@@ -222,7 +222,7 @@ bool wantsWholeTexts(Kind kind) { return kind == Kind::Lines; }
 tl::expected<std::unique_ptr<Writing>, disk::FileError> begin(const Order& order) {
   if (order.kind == Kind::Lines) return std::make_unique<Lines>(order);
   if (order.kind != Kind::Mcap) return std::make_unique<Track>(order);
-  auto file = WholeMcap::create(order.path);
+  auto file = WholeMcap::create(order);
   if (!file) return tl::make_unexpected(file.error());
   auto mcap = std::make_unique<Mcap>(std::move(*file), order);
   if (const auto fault = mcap->describe()) return tl::make_unexpected(*fault);

@@ -12,6 +12,7 @@
 
 #include <tl/expected.hpp>
 
+#include "disk/existing.h"
 #include "disk/file_error.h"
 #include "excerpt/time_span.h"
 #include "fault/fault.h"
@@ -30,6 +31,7 @@ enum class Kind {
 struct Order {
   Kind kind = Kind::Mcap;
   std::string path;  // of the file; an MCAP file needs one, others may go to the standard output ("-")
+  disk::Existing existing = disk::Existing::Replace;  // a file of that name
   TimeSpan span;
   std::vector<std::string> topics;  // only these; empty = all. Not used for tracks
   /// For recordings, instead of `span`, exact to the nanosecond: both inclusive.

@@ -282,7 +282,7 @@ tl::expected<Written, Fault> mergeRecordings(const std::vector<std::string>& pat
   for (const SourcePtr& source : sources) {
     if (source->summary().profile != profile) profile.clear();
   }
-  auto file = WholeMcap::create(order.path, std::move(profile));
+  auto file = WholeMcap::create(order, std::move(profile));
   if (!file) return tl::make_unexpected(disk::notWritten(file.error()));
   recording::Query query;
   if (order.span.from_s) query.first_ns = firstNanosecondsOf(*order.span.from_s);

@@ -151,7 +151,7 @@ tl::expected<Slicing, Fault> Slicing::open(const std::string& path) {
 
 tl::expected<std::optional<Written>, Fault> Slicing::slice(const Order& order, const GoesOn& goes_on) {
   recording::Source& source = *parts_->source;
-  auto file = WholeMcap::create(order.path, source.summary().profile);
+  auto file = WholeMcap::create(order, source.summary().profile);
   if (!file) return tl::make_unexpected(disk::notWritten(file.error()));
 
   const std::int64_t from_ns =

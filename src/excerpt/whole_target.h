@@ -12,6 +12,7 @@
 #include <tl/expected.hpp>
 
 #include "disk/written_file.h"
+#include "excerpt/excerpt.h"
 #include "fault/fault.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
@@ -21,7 +22,7 @@ namespace mapwright::excerpt {
 
 class WholeTarget : public recording::AppendTarget {
  public:
-  explicit WholeTarget(const std::string& path) : file_(path) {}
+  explicit WholeTarget(const Order& order) : file_(order.path, order.existing) {}
   /// After an error all further calls fail.
   std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
     file_.write(bytes.data(), bytes.size());
@@ -38,13 +39,13 @@ class WholeTarget : public recording::AppendTarget {
 /// One thread. finish() gives the file its name; without it nothing is left.
 class WholeMcap {
  public:
-  static tl::expected<WholeMcap, disk::FileError> create(const std::string& path, std::string profile = {}) {
+  static tl::expected<WholeMcap, disk::FileError> create(const Order& order, std::string profile = {}) {
     recording::WriterOptions options;
     options.profile = std::move(profile);
     // Nobody reads it before it is complete, so chunks are closed by size only.
     options.chunk_bytes = std::size_t(4) << 20;
     options.chunk_ns = std::numeric_limits<std::int64_t>::max();
-    auto target = std::make_unique<WholeTarget>(path);
+    auto target = std::make_unique<WholeTarget>(order);
     WholeTarget* const kept = target.get();
     auto writer = recording::McapWriter::create(std::move(target), std::move(options));
     if (!writer) return tl::make_unexpected(writer.error());

@@ -215,7 +215,8 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& path, const Proceed& proceed) {
+std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& path, const Proceed& proceed,
+                                  disk::Existing existing) {
   const bool as_is = isGray(grid.code());
   const CellMeaning& meaning = meaningOf(grid.code());
   bool trinary = false;
@@ -226,7 +227,7 @@ std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& pa
   }
   // If every gray level is a value, none is left for missing pixels.
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !trinary);
-  disk::WrittenFile file(path);
+  disk::WrittenFile file(path, existing);
   PngWriter png{file};
   bool good = png.begin(grid.width(), grid.height(), has_alpha ? PngPixels::GrayAlpha : PngPixels::Gray);
   const Shades shades = saverShades(meaning);
@@ -273,7 +274,7 @@ MapServerFiles mapServerFiles(const std::string& path, MapServerForm::Mode mode)
 
 tl::expected<SeenByRobots, Fault> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
                                                  const std::string& path, const MapServerForm& form,
-                                                 const Proceed& proceed) {
+                                                 const Proceed& proceed, disk::Existing existing) {
   const auto failed = [](Fault why) { return tl::make_unexpected(std::move(why)); };
   if (auto flaw = flawOf(form)) return failed(std::move(*flaw));
   const auto counts = histogramOf(grid, proceed);
@@ -281,7 +282,7 @@ tl::expected<SeenByRobots, Fault> writeMapServer(const GridPyramid& grid, const 
   const CellMeaning& meaning = meaningOf(grid.code());
   const Shades shades = shadesOf(meaning, form, *counts);
   const MapServerFiles paths = mapServerFiles(path, form.mode);
-  disk::WrittenFile picture(paths.picture), yaml(paths.yaml);
+  disk::WrittenFile picture(paths.picture, existing), yaml(paths.yaml, existing);
   const bool has_alpha = form.mode == MapServerForm::Mode::Scale;
   PngWriter png{picture};
   bool good = true;
@@ -307,13 +308,19 @@ tl::expected<SeenByRobots, Fault> writeMapServer(const GridPyramid& grid, const 
   });
   if (stopped) return failed(std::move(*stopped));
   if (!good && picture.good()) return failed(Fault(fault::EncoderFailed, {paths.picture}));
-  const std::string image = std::filesystem::path(paths.picture).filename().string();
-  yaml.write(mapYamlText(reference, image, readingOf(form)));
+  const auto textNaming = [&](const std::filesystem::path& image) {
+    return mapYamlText(reference, image.filename().string(), readingOf(form));
+  };
+  yaml.write(textNaming(paths.picture));
   yaml.finish();  // both are complete before the first is moved into place
   if (!yaml.good()) return failed(*told(yaml.place()));
-  for (disk::WrittenFile* const file : {&picture, &yaml}) {
-    if (auto problem = told(file->place())) return failed(std::move(*problem));
+  if (const auto problem = picture.place()) {
+    // It was kept under another name: the map.yaml names that one.
+    if (problem->cause.code == disk::fault::NameTaken)
+      disk::writeFile(paths.yaml, textNaming(picture.whereNow()), existing);
+    return failed(*told(problem));
   }
+  if (auto problem = told(yaml.place())) return failed(std::move(*problem));
   return seenByRobots(meaning, form, *counts, shades);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "disk/existing.h"
 #include "grids/cell_counts.h"
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
@@ -19,7 +20,8 @@ namespace mapwright::grids {
 /// values, otherwise gray+alpha (intensity; unknown = transparent). nullopt = written (aside, then moved into
 /// place), otherwise why not.
 std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& path,
-                                  const std::function<bool(double done)>& proceed = {});
+                                  const std::function<bool(double done)>& proceed = {},
+                                  disk::Existing existing = disk::Existing::Replace);
 
 /// How a map.yaml has its picture read.
 struct MapServerForm {
@@ -55,7 +57,8 @@ struct SeenByRobots {
 /// in which every wall is a wall by the thresholds.
 tl::expected<SeenByRobots, Fault> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
                                                  const std::string& path, const MapServerForm& form = {},
-                                                 const std::function<bool(double done)>& proceed = {});
+                                                 const std::function<bool(double done)>& proceed = {},
+                                                 disk::Existing existing = disk::Existing::Replace);
 
 /// The six lines of a world file (.pgw, .wld) for a picture at `reference` (rotation included): centre of the
 /// top left pixel.

@@ -57,8 +57,10 @@ Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const
                   QString& remark) {
   if (!map.cells) return QCoreApplication::translate("window", "There is no map to export.");
   const std::string path = QDir::toNativeSeparators(request.path).toStdString();
-  if (request.format != ExportFormat::MapServer) return told(grids::writeGridPng(*map.cells, path, proceed));
-  const auto seen = grids::writeMapServer(*map.cells, map.reference, path, request.form, proceed);
+  if (request.format != ExportFormat::MapServer)
+    return told(grids::writeGridPng(*map.cells, path, proceed, request.existing));
+  const auto seen =
+      grids::writeMapServer(*map.cells, map.reference, path, request.form, proceed, request.existing);
   if (!seen) return told(std::optional(seen.error()));
   remark = unseenBy(*seen);
   return std::nullopt;
@@ -66,7 +68,7 @@ Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const
 
 }  // namespace
 
-std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
+std::optional<Fault> writePicture(const QImage& picture, const QString& path, disk::Existing existing) {
   QBuffer png;
   png.open(QIODevice::WriteOnly);
   QImageWriter writer(&png, "png");
@@ -75,7 +77,7 @@ std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
                  {path.toStdString(), writer.errorString().toStdString()});
   }
   const auto fault = disk::writeFile(
-      path.toStdString(), std::string_view(png.data().constData(), std::size_t(png.data().size())));
+      path.toStdString(), std::string_view(png.data().constData(), std::size_t(png.data().size())), existing);
   return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
 }
 
@@ -148,14 +150,14 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   std::optional<disk::WrittenFile> world_file;
   const auto writeWorldFile = [&] {
     if (!request.world_file) return true;
-    world_file.emplace(worldFilePath(request.path, request.format).toStdString());
+    world_file.emplace(worldFilePath(request.path, request.format).toStdString(), request.existing);
     world_file->write(grids::worldFileText(reference));
     if (!world_file->finish()) problem = told(world_file->place());
     return !problem;
   };
   if (const auto* view = std::get_if<ViewExport>(&request.source)) {
     reference = view->reference;
-    if (writeWorldFile()) problem = told(writePicture(view->picture, request.path));
+    if (writeWorldFile()) problem = told(writePicture(view->picture, request.path, request.existing));
   } else if (const auto* whole = std::get_if<WholeMapExport>(&request.source)) {
     reference = whole->reference;
     if (writeWorldFile()) problem = writeGrid(*whole, request, watched, result.remark);

@@ -14,6 +14,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "disk/existing.h"
 #include "fault/fault.h"
 #include "grids/export_grid.h"
 #include "grids/grid_pyramid.h"
@@ -49,6 +50,7 @@ struct ExportRequest {
   QString path;                    // MapServer: of the .yaml or the picture; "-" only for a PNG
   bool world_file = false;         // also writes a .pgw or .wld
   grids::MapServerForm form = {};  // of MapServer
+  disk::Existing existing = disk::Existing::Replace;  // files of these names
 };
 
 /// What came of it.
@@ -64,7 +66,8 @@ ExportResult exportMap(const ExportRequest& request, const std::function<bool(do
                        const grids::Resources& means = {});
 /// Writes a painted picture to a PNG file: completely or not at all; disk::WrittenFile describes which paths
 /// are possible. nullopt = written, otherwise why not.
-std::optional<Fault> writePicture(const QImage& picture, const QString& path);
+std::optional<Fault> writePicture(const QImage& picture, const QString& path,
+                                  disk::Existing existing = disk::Existing::Replace);
 /// "/maps/a.png" -> "/maps/a.pgw"; of a PGM "/maps/a.wld". Other names GDAL does not look for.
 QString worldFilePath(const QString& picture_path, ExportFormat format);
 /// The files that will be written.

@@ -293,6 +293,46 @@ class OutputsTest : public QObject {
     if (forced.code != 3) QVERIFY(read(program_->path(file)) != before);  // no such robot
   }
 
+  void whatAppearsMeanwhileIsReplacedByForceAlone_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("kept");
+    QTest::addColumn<QByteArray>("input");
+    QTest::newRow("waypoints") << QStringLiteral("waypoints plan - --format csv --robot map.yaml -o out.json")
+                               << QStringLiteral("out-1.json")
+                               << QByteArray("id,name,x,y,yaw_rad\nw1,Dock,1,1,0\n");
+    QTest::newRow("overlays") << QStringLiteral(
+                                     "overlays plan - --base base.geojson --robot map.yaml -o out.json")
+                              << QStringLiteral("out-1.json")
+                              << QByteArray(R"({"type":"FeatureCollection","features":[]})");
+  }
+  void whatAppearsMeanwhileIsReplacedByForceAlone() {
+    QFETCH(QString, line);
+    QFETCH(QString, kept);
+    QFETCH(QByteArray, input);
+    makeSources();
+    for (const bool force : {false, true}) {
+      (void)QFile::remove(at("out.json"));
+      QStringList arguments = line.split(QLatin1Char(' '));
+      if (force) arguments << QStringLiteral("--force");
+      QProcess process;
+      process.setProcessEnvironment(program_->environment());
+      process.setWorkingDirectory(program_->folder());
+      process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
+      // More than a pipe holds: what has taken it reads, and has looked at the output before.
+      process.write(QByteArray(1 << 20, '\n'));
+      QVERIFY(QTest::qWaitFor([&] { return process.bytesToWrite() == 0; }, 60'000));
+      put("out.json", "another's");
+      process.write(input);
+      process.closeWriteChannel();
+      QVERIFY(QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, 60'000));
+      const QByteArray err = process.readAllStandardError();
+      QVERIFY2(process.exitCode() == (force ? 0 : 2), err.constData());
+      QVERIFY2(err.contains(kept.toUtf8()) == !force, err.constData());
+      QCOMPARE(read(at("out.json")) == "another's", !force);
+      QVERIFY(QJsonDocument::fromJson(read(force ? at("out.json") : program_->path(kept))).isObject());
+    }
+  }
+
   void aReportReplacesNothingThatTheCommandReads_data() {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QString>("file");

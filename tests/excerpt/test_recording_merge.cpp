@@ -9,6 +9,8 @@
 #include <QtTest>
 
 #include "../recording/recordings.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
 #include "excerpt/recording_merge.h"
 #include "excerpt/recording_slice.h"
 #include "recording/message.h"
@@ -284,6 +286,19 @@ class RecordingMergeTest : public QObject {
       QVERIFY(merged.has_value());
       QCOMPARE(merged->messages, std::int64_t(held));
     }
+  }
+
+  void aPartIsKeptBesideWhatAppearedMeanwhile() {
+    std::mt19937 random(11);
+    makeRecording(path("whole"), random);
+    excerpt::Order order;
+    order.path = path("part.mcap");
+    order.existing = disk::Existing::Refuse;
+    const auto sliced = excerpt::sliceRecording(
+        path("whole"), order, [&](double) { return !disk::writeFile(order.path, "another's"); });
+    QVERIFY(!sliced);
+    QCOMPARE(*disk::readFile(order.path, 100), std::string("another's"));
+    QCOMPARE(difference(contentOf(path("part-1.mcap")), contentOf(path("whole"))), QByteArray());
   }
 
   void aRepairedRecordingIsWholeAndSaysWhenItBrokeOff() {

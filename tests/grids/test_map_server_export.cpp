@@ -181,6 +181,29 @@ class TestMapServerExport : public QObject {
     }
   }
 
+  void twoFilesStayAPairIfOneOfTheirNamesIsTaken() {
+    std::mt19937 dice(36);
+    const RandomMap map = randomMap(dice, CellCode::Occupancy);
+    for (const char* taken : {"map.pgm", "map.yaml"}) {
+      init();
+      const QString other = folder_->filePath(QLatin1String(taken));
+      const auto appears = [&](double done) {
+        QFile file(other);
+        return done < 1 || (file.open(QIODevice::WriteOnly) && file.write("another's") == 9);
+      };
+      const auto written =
+          writeMapServer(*map.grid, placeOf(map), folder_->filePath(QStringLiteral("map.yaml")).toStdString(),
+                         {}, appears, disk::Existing::Refuse);
+      QVERIFY2(!written, taken);
+      QFile kept(other);
+      QVERIFY(kept.open(QIODevice::ReadOnly) && kept.readAll() == "another's");
+      const bool picture = other.endsWith(QLatin1String("pgm"));
+      const auto served = test::servedMap(
+          folder_->filePath(QLatin1String(picture ? "map.yaml" : "map-1.yaml")), MapServer::Nav2);
+      QVERIFY2(served && served->width == map.width && served->height == map.height, taken);
+    }
+  }
+
   void thresholdsWithoutRoomForUnknownAreRefused() {
     const auto refused = [](double occupied, double free) {
       return flawOf({.occupied_thresh = occupied, .free_thresh = free}).has_value();
