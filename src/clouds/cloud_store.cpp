@@ -83,9 +83,10 @@ void CloudStore::cut(const Cut& cut, SectionReply reply) {
 void CloudStore::write(const QString& path, std::function<void(tl::expected<std::uint64_t, Fault>)> reply) {
   const auto format = formatOf(path.toStdString());
   // Shared only with the job: writing continues when the map is left.
-  share_.startLong([this, set = setOrNone(), heights = chosenHeights(), format, path, stop = write_stop_,
+  share_.startLong([this, set = setOrNone(), heights = chosenHeights(), format, path,
+                    existing = disk::existingNow(path.toStdString()), stop = write_stop_,
                     reply = std::move(reply)] {
-    disk::WrittenFile file(path.toStdString());
+    disk::WrittenFile file(path.toStdString(), existing);
     const auto written = writeClouds(
         *set, heights, format.value_or(CloudFormat::PcdBinary),
         [&file](std::string_view bytes) {

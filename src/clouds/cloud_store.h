@@ -65,7 +65,8 @@ class CloudStore : public QObject {
   /// unless this is destroyed or cleared first.
   using SectionReply = std::function<void(std::shared_ptr<const Section>)>;
   void cut(const Cut& cut, SectionReply reply);
-  /// Writes what is shown; the file extension selects PCD, PLY or CSV. The reply is the number of points.
+  /// Writes what is shown; the file extension selects PCD, PLY or CSV. Replaces what is there now. The reply
+  /// is the number of points.
   void write(const QString& path, std::function<void(tl::expected<std::uint64_t, Fault>)> reply);
 
  Q_SIGNALS:

@@ -30,7 +30,7 @@ inline constexpr FaultCode ProjectionsNotTold{
                  "not running), and nothing has arrived on the usual topics (projected_map_0 and so on).")};
 
 // Bags.
-/// path, the system's words
+/// path; because: why
 inline constexpr FaultCode BagFileNotWritten{"robot", QT_TRANSLATE_NOOP("robot", "%1 cannot be written: %2")};
 
 }  // namespace mapwright::robot::fault

@@ -131,7 +131,7 @@ void TestWalls::aForbiddenIncludeDoesNotCompile() {
   const QStringList check{QStringLiteral("-fsyntax-only")};
   // Through a neighbour, into a folder inside a neighbour's, and upwards.
   for (const auto& [room, header] :
-       {std::pair{"axbot", "disk/written_file.h"}, std::pair{"submap", "packed/unpack.h"},
+       {std::pair{"aimdk", "disk/written_file.h"}, std::pair{"submap", "packed/unpack.h"},
         std::pair{"map", "robot/axbot/robot_urls.h"}, std::pair{"words", "map/problem.h"}}) {
     const Compiled refused = compile(named(room), QByteArray("#include \"") + header + "\"\n", check);
     QVERIFY2(refused.code != 0 && refused.errors.contains("No such file"), header);

@@ -501,6 +501,43 @@ class AxbotBagsTest : public QObject {
     QVERIFY(!QFile::exists(path));
   }
 
+  void aDownloadReplacesNothingThatAppearedMeanwhile() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.bag"));
+    const auto bytesOf = [](const QString& name) {
+      QFile file(name);
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    for (const bool there : {false, true}) {
+      net::testing::ScriptedServer server([&](const net::testing::SeenRequest& request) {
+        using Server = net::testing::ScriptedServer;
+        if (request.path == "/bags/")
+          return Server::reply(200, {}, R"([{"filename":"a.bag","size_bytes":10,"end":"now"}])");
+        if (request.path == "/recording/") return Server::reply(200, {}, "[]");
+        QFile other(path);
+        (void)(other.open(QIODevice::WriteOnly) && other.write("another's"));
+        return Server::reply(200, {}, "0123456789");
+      });
+      axbot::LinkOptions link;
+      link.base = server.url(QString());
+      link.cache_folder = folder.filePath(QStringLiteral("cache"));
+      axbot::AxbotRobot robot(QStringLiteral("axbot"), link);
+      std::optional<Outcome<std::vector<BagEntry>>> rows;
+      robot.bagLibrary()->list([&](Outcome<std::vector<BagEntry>> told) { rows = std::move(told); });
+      QVERIFY(QTest::qWaitFor([&] { return rows.has_value(); }, kLongMs));
+      std::optional<Outcome<BagDownload>> got;
+      robot.bagLibrary()->download(bag("a.bag"), path,
+                                   [&](Outcome<BagDownload> told) { got = std::move(told); });
+      QVERIFY(QTest::qWaitFor([&] { return got.has_value(); }, kLongMs));
+      // Whoever downloads over a file was asked.
+      QCOMPARE(got->has_value(), there);
+      QCOMPARE(bytesOf(path), QByteArray(there ? "0123456789" : "another's"));
+      if (there) continue;
+      QVERIFY2(words(got->error()).find("a-1.bag") != std::string::npos, words(got->error()).c_str());
+      QCOMPARE(bytesOf(folder.filePath(QStringLiteral("a-1.bag"))), QByteArray("0123456789"));
+    }
+  }
+
   void aDownloadThatCannotBeWrittenSaysSo() {
     Bench bench;
     const auto nowhere = bench.download(bag("gap.bag"), QStringLiteral("/proc/nothing/a.bag"));

@@ -295,6 +295,7 @@ void ExportDialog::start() {
   request.format = format();
   request.world_file = with_world_file;
   request.form = form();
+  if (present == files.end()) request.existing = disk::Existing::Refuse;  // nobody was asked
   if (request.format == jobs::ExportFormat::ViewPicture) {
     request.source = offer_.view();
   } else if (fromSubmaps()) {

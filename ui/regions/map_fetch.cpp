@@ -211,6 +211,7 @@ void MapFetch::startRectangle(const geometry::WorldRect& rect, Then then, const 
   stop();
   then_ = then;
   path_ = path;
+  existing_ = disk::existingNow(path.toStdString());
   fetch_ = std::make_unique<regions::RegionFetch>(*dispatch_, rect, regions::RegionFetch::Options{});
   connect(fetch_.get(), &regions::RegionFetch::progressed, this, &MapFetch::changed);
   connect(fetch_.get(), &regions::RegionFetch::finished, this, &MapFetch::endRectangle);
@@ -243,12 +244,13 @@ void MapFetch::endRectangle() {
     toast(Mark::Warning,
           tr("Some of the answers have cells of another size or orientation and were left out."));
   }
-  if (then_ == Then::Save) return write({fetched.cells, fetched.reference}, path_, {});
+  if (then_ == Then::Save) return write({fetched.cells, fetched.reference}, path_, existing_, {});
   show([cells = fetched.cells] { return regions::cellsOf(*cells); }, fetched.reference,
        tr("Region %1").arg(areaText(fetch->rect())));
 }
 
-void MapFetch::write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then) {
+void MapFetch::write(const jobs::WholeMapExport& map, const QString& path, disk::Existing existing,
+                     std::function<void()> then) {
   export_ = std::make_unique<jobs::ExportJob>(context_.workers);
   connect(export_.get(), &jobs::ExportJob::finished, this,
           [this, then = std::move(then)](const jobs::ExportResult& result) {
@@ -261,7 +263,7 @@ void MapFetch::write(const jobs::WholeMapExport& map, const QString& path, std::
                                            .join(QStringLiteral(", "))));
             if (then) then();
           });
-  export_->start({map, jobs::ExportFormat::MapServer, path, false});
+  export_->start({map, jobs::ExportFormat::MapServer, path, false, {}, existing});
 }
 
 std::vector<Fetched> MapFetch::fetched() {
@@ -279,7 +281,7 @@ void MapFetch::saveKept(const std::function<void()>& then) {
   const session::MapSlot& slot = session->wholeMap();
   if (!slot.cells()->complete()) return toast(Mark::Warning, tr("The map is still loading."));
   if (const QString path = askWhere(); !path.isEmpty()) {
-    write({slot.cells(), slot.reference()}, path, [this, then] {
+    write({slot.cells(), slot.reference()}, path, disk::existingNow(path.toStdString()), [this, then] {
       markSaved();
       then();
     });

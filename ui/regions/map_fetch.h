@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include "disk/existing.h"
 #include "regions/region_fetch.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/notices.h"
@@ -65,7 +66,8 @@ class MapFetch : public QObject {
   void startRectangle(const geometry::WorldRect& rect, Then then, const QString& path);
   void endRectangle();
   void show(std::function<map::OccupancyCells()> cells, const map::GridReference& grid, const QString& name);
-  void write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then);
+  void write(const jobs::WholeMapExport& map, const QString& path, disk::Existing existing,
+             std::function<void()> then);
   QString askWhere();  // empty = nowhere
   void saveKept(const std::function<void()>& then);
   void toast(Mark mark, const QString& text);
@@ -77,6 +79,7 @@ class MapFetch : public QObject {
   std::unique_ptr<regions::RegionFetch> fetch_;
   Then then_ = Then::Show;
   QString path_;
+  disk::Existing existing_ = disk::Existing::Refuse;  // there
   robot::Call whole_;
   bool whole_in_progress_ = false;
   qint64 whole_bytes_ = 0;  // received so far

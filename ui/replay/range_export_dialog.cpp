@@ -248,6 +248,7 @@ void RangeExportDialog::start() {
   excerpt::Order order;
   order.kind = excerpt::Kind(kind_->currentData().toInt());
   order.path = path.toStdString();
+  order.existing = disk::existingNow(order.path);
   order.span = *span();
   order.address = offer_.address.toStdString();
   order.robot_kind = offer_.robot_kind;

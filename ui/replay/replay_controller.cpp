@@ -245,6 +245,7 @@ void ReplayController::reportMoment(const QString& path) {
   // The timeline begins with a whole second.
   order.run.at_s = std::max(clock_->at(), reading->info()->start_s);
   order.path = path;
+  order.existing = disk::existingNow(path.toStdString());
   report_ = std::make_unique<reporting::ReportJob>(std::move(order), context_.workers);
   toasts->add(Mark::Busy, tr("The report is being written…"), {}, kReporting);
   // Queued: the one that has ended is deleted.

@@ -79,8 +79,8 @@ void ReportJob::write() {
   QBuffer buffer(&html);
   buffer.open(QIODevice::WriteOnly);
   incident::writeReport(buffer, report_);
-  if (const auto fault =
-          disk::writeFile(order_.path.toStdString(), {html.constData(), std::size_t(html.size())}))
+  if (const auto fault = disk::writeFile(order_.path.toStdString(),
+                                         {html.constData(), std::size_t(html.size())}, order_.existing))
     return fail(sentences::wordsOf(disk::notWritten(*fault)));
   Q_EMIT ended();
 }

@@ -10,6 +10,7 @@
 #include <QString>
 #include <tl/expected.hpp>
 
+#include "disk/existing.h"
 #include "incident/report.h"
 #include "map/failure.h"
 #include "robot/bag_library.h"
@@ -32,6 +33,7 @@ struct ReportOrder {
   Part run;
   std::optional<Part> against;
   QString path;  // "-" is the standard output
+  disk::Existing existing = disk::Existing::Replace;
 };
 
 class ReportJob : public QObject {

@@ -1,13 +1,13 @@
 #include "robot/axbot/resumed_download.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
 #include <QFile>
 #include <QFileInfo>
 
+#include "disk/written_file.h"
 #include "robot/axbot/faults.h"
 #include "robot/faults.h"
 #include "robot/wire/failures.h"
@@ -54,6 +54,7 @@ struct Download {
   net::HttpClient& http;
   DownloadOrder order;
   OutcomeTo<ResumedDownload> reply;
+  disk::Existing existing = disk::existingNow(order.path.toStdString());
   QFile part = {};
   PartOf held_of = {};                  // what is there
   bool unfit = false;                   // the answer does not continue the part, or is of another file
@@ -62,12 +63,13 @@ struct Download {
   bool begun = false;
   std::optional<map::Failure> trouble = {};
 
-  map::Failure notWritten(const QString& why) const {
+  map::Failure notWritten(Fault why) const {
     return {.kind = map::FailureKind::Unsupported,
             .subject = order.subject,
             .reason = map::FailureReason::Unfit,
-            .cause = {robot::fault::BagFileNotWritten, {order.path.toStdString(), why.toStdString()}}};
+            .cause = {robot::fault::BagFileNotWritten, {order.path.toStdString()}, {std::move(why)}}};
   }
+  map::Failure notWritten(const QString& why) const { return notWritten(fault::said(why.toStdString())); }
   void end(map::Failure failure) {
     // An empty part does not count.
     if (part.isOpen() && part.size() == 0) {
@@ -139,10 +141,9 @@ void moveDownload(Download& download) {
   }
   download.part.close();
   QFile::remove(besidePart(download.order.path));
-  // Replaces an existing file atomically.
-  if (std::rename(QFile::encodeName(download.part.fileName()).constData(),
-                  QFile::encodeName(download.order.path).constData()) != 0) {
-    download.end(download.notWritten(qt_error_string()));
+  if (auto problem = disk::moveInto(download.part.fileName().toStdString(), download.order.path.toStdString(),
+                                    download.existing)) {
+    download.end(download.notWritten(std::move(problem->cause)));
     return;
   }
   download.reply(ResumedDownload{bytes, download.begun_at > 0});
