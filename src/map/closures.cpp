@@ -37,13 +37,13 @@ Closures rankClosures(const PoseGraph& graph) {
   for (std::size_t i = 0; i < graph.constraints.size(); ++i) {
     const Constraint& constraint = graph.constraints[i];
     const bool is_inter = constraint.kind == ConstraintKind::Inter;
-    ++(is_inter ? closures.inter : closures.intra);
     const auto submap = submaps.find(packed(constraint.submap.trajectory, constraint.submap.index));
     const auto node = nodes.find(packed(constraint.node.trajectory, constraint.node.index));
     if (submap == submaps.end() || node == nodes.end()) {
       ++closures.dangling;
       continue;
     }
+    ++(is_inter ? closures.inter : closures.intra);
     const auto world_from_submap = geometry::toIsometry(*submap->second);
     const auto world_from_node = geometry::toIsometry(node->second->pose);
     const auto submap_from_node = geometry::toIsometry(constraint.relative_pose);

@@ -28,8 +28,8 @@ struct Closure {
 
 struct Closures {
   std::vector<Closure> ranked;       // most metres first, then most radians, then by ids
-  std::size_t inter = 0, intra = 0;  // constraints of each kind, with those that are not ranked
-  std::size_t dangling = 0;          // not ranked: their submap or node does not exist
+  std::size_t inter = 0, intra = 0;  // constraints of each kind, with those that have no pose
+  std::size_t dangling = 0;          // neither: their submap or node does not exist
   std::size_t without_pose = 0;      // not ranked: a pose is not finite, or its quaternion has no direction
   std::optional<double> inter_median_m, intra_median_m;  // of those ranked; nullopt: none
 };
