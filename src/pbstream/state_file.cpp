@@ -26,16 +26,22 @@ QByteArrayView viewOf(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())};
 }
 
-/// The first fields of a submap, up to its cells: they are written in the order of their numbers.
+/// A submap without its cells. Cartographer writes them last; as protobuf allows any order, all of it is read
+/// unless nothing can be missing any more.
 Fault readSubmapHead(RecordStream& stream, StoredSubmap& submap) {
   Wire wire(&stream);
   cartographer_state::SubmapId id;
   cartographer_state::MapLimits limits;
+  bool named = false;
   const auto head = [&](int number) {
-    if (number == 1) return false;
     if (number == 2) submap.version = std::int32_t(wire.varint());
     if (number == 3) submap.finished = wire.varint() != 0;
     return number == 2 || number == 3;
+  };
+  // Before the cells: true, they are not read. What is 0 or false is not written.
+  const auto enough = [&] {
+    if (named && submap.version != 0 && submap.finished && submap.resolution_m) wire.stop();
+    return !wire.good();
   };
   wire.fields([&](int member) {
     if (member != int(RecordKind::Submap)) return false;
@@ -43,27 +49,29 @@ Fault readSubmapHead(RecordStream& stream, StoredSubmap& submap) {
       if (number == 1) {
         wire.read(id);
         submap.id = idFrom(id);
+        named = true;
       } else if (number == 2) {
         wire.message([&](int field) {
           if (field != 4) return head(field);
           wire.message([&](int of_grid) {
-            if (of_grid == 1) {
-              wire.read(limits);
-              submap.resolution_m = limits.resolution();
-            }
-            if (of_grid >= 2 && submap.resolution_m) wire.stop();
-            return of_grid == 1 || !wire.good();
+            if (of_grid != 1) return enough();
+            wire.read(limits);
+            submap.resolution_m = limits.resolution();
+            return true;
           });
           return true;
         });
       } else if (number == 3) {
         submap.three_d = true;
+        bool finest = false;  // is known
         wire.message([&](int field) {
           if (field != 4 && field != 5) return head(field);
           wire.message([&](int of_grid) {
-            if (of_grid == 1) submap.resolution_m = submap.resolution_m.value_or(double(wire.fixed32()));
-            if (of_grid >= 3 && submap.resolution_m) wire.stop();
-            return of_grid == 1 || !wire.good();
+            if (of_grid != 1) return finest && enough();
+            const double resolution_m = double(wire.fixed32());
+            if (field == 4 || !finest) submap.resolution_m = resolution_m;
+            finest = finest || field == 4;
+            return true;
           });
           return true;
         });

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <vector>
 #include <zlib.h>
 
 #include <QFile>
@@ -14,6 +16,13 @@
 #include "pbstream/state_file.h"
 
 namespace mapwright::pbstream::tests {
+
+inline std::string varint(std::uint64_t value) {
+  std::string bytes;
+  for (; value > 0x7F; value >>= 7) bytes.push_back(char((value & 0x7F) | 0x80));
+  bytes.push_back(char(value));
+  return bytes;
+}
 
 inline std::string gzipped(const std::string& bytes) {
   z_stream stream{};
@@ -153,6 +162,34 @@ inline std::string wholeFile() {
   for (int n = 0; n < 2; ++n) file += record(nodeRecord(1, n));
   for (int i = 0; i < 5; ++i) file += record(imuRecord(i % 2));
   return file;
+}
+
+/// A message with its fields from the last to the first, as protobuf allows; what is repeated keeps its
+/// order.
+inline std::string backwards(const google::protobuf::Message& message) {
+  std::vector<const google::protobuf::FieldDescriptor*> fields;
+  message.GetReflection()->ListFields(message, &fields);
+  std::string bytes;
+  for (auto field = fields.rbegin(); field != fields.rend(); ++field) {
+    const std::unique_ptr<google::protobuf::Message> alone(message.New());
+    alone->CopyFrom(message);
+    for (const auto* const other : fields) {
+      if (other != *field) alone->GetReflection()->ClearField(alone.get(), other);
+    }
+    if ((*field)->cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_MESSAGE) {
+      bytes += alone->SerializeAsString();
+      continue;
+    }
+    const auto& reflection = *alone->GetReflection();
+    const int count = (*field)->is_repeated() ? reflection.FieldSize(*alone, *field) : 1;
+    for (int i = 0; i < count; ++i) {
+      const std::string inner =
+          backwards((*field)->is_repeated() ? reflection.GetRepeatedMessage(*alone, *field, i)
+                                            : reflection.GetMessage(*alone, *field));
+      bytes += varint(std::uint64_t((*field)->number()) << 3 | 2) + varint(inner.size()) + inner;
+    }
+  }
+  return bytes;
 }
 
 /// Files that are removed with it.

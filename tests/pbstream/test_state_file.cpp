@@ -18,12 +18,6 @@ using namespace mapwright::pbstream::tests;
 
 namespace {
 
-std::string varint(std::uint64_t value) {
-  std::string bytes;
-  for (; value > 0x7F; value >>= 7) bytes.push_back(char((value & 0x7F) | 0x80));
-  bytes.push_back(char(value));
-  return bytes;
-}
 /// Protobuf of one field, whatever the message ought to be.
 std::string field(int number, int type, const std::string& value) {
   return varint(std::uint64_t(number) << 3 | std::uint64_t(type)) + value;
@@ -82,6 +76,57 @@ class StateFileTest : public QObject {
     QVERIFY(read_back->submaps[0].id == (map::SubmapId{0, 0}));
     QVERIFY(read_back->submaps[2].id == (map::SubmapId{1, 0}));
     QVERIFY(*read_back->graph == *read(wholeFile())->graph);
+  }
+
+  void theOrderOfFieldsDoesNotMatter() {
+    auto unfinished = submapRecord(0, 1);
+    unfinished.mutable_submap()->mutable_submap_2d()->set_finished(false);
+    cartographer_state::SerializedData solid;
+    solid.mutable_submap()->mutable_submap_id()->set_trajectory_id(1);
+    auto& submap = *solid.mutable_submap()->mutable_submap_3d();
+    place(*submap.mutable_local_pose(), 0, 0);
+    submap.set_num_range_data(12);
+    submap.set_finished(true);
+    const auto fill = [](cartographer_state::HybridGrid& grid, float resolution) {
+      grid.set_resolution(resolution);
+      for (int z = 0; z < 8; ++z) {
+        grid.add_x_indices(-3);
+        grid.add_y_indices(4);
+        grid.add_z_indices(z);
+        grid.add_values(32000);
+      }
+    };
+    fill(*submap.mutable_high_resolution_hybrid_grid(), 0.1f);
+    fill(*submap.mutable_low_resolution_hybrid_grid(), 0.45f);
+    std::string usual = header(), odd = header();
+    for (const auto& data :
+         {graphRecord(), optionsRecord(2), submapRecord(0, 0), unfinished, solid, nodeRecord(1, 1)}) {
+      usual += record(data);
+      odd += record(backwards(data));
+    }
+    const auto one = readStateFile(folder_.write(usual, "usual.pbstream")),
+               other = readStateFile(folder_.write(odd, "odd.pbstream"));
+    QVERIFY(one && other);
+    QVERIFY(one->losses().empty());
+    QVERIFY2(other->losses().empty(), other->losses().empty() ? "" : inEnglish(other->losses()[0]).c_str());
+    QVERIFY(*one->graph == *other->graph && one->nodes == other->nodes);
+    QCOMPARE(one->submaps.size(), std::size_t(3));
+    QCOMPARE(other->submaps.size(), std::size_t(3));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const StoredSubmap &a = one->submaps[i], &b = other->submaps[i];
+      QVERIFY(a.id == b.id && a.version == b.version && a.finished == b.finished && a.three_d == b.three_d);
+      QVERIFY(a.resolution_m && a.resolution_m == b.resolution_m);
+      const geometry::Pose3 pose = *one->poseOf(a.id);
+      const auto seen = readTextures(*one->file, a, pose), seen_odd = readTextures(*other->file, b, pose);
+      QVERIFY(seen && seen_odd);
+      QCOMPARE(seen->version, seen_odd->version);
+      QCOMPARE(seen->slices.size(), seen_odd->slices.size());
+      for (std::size_t slice = 0; slice < seen->slices.size(); ++slice) {
+        QVERIFY(seen->slices[slice].cells == seen_odd->slices[slice].cells);
+        QVERIFY(seen->slices[slice].slice_pose == seen_odd->slices[slice].slice_pose);
+      }
+    }
+    QCOMPARE(one->submaps[2].resolution_m, std::optional(double(0.1f)));
   }
 
   void trajectoriesAndNodesComeInTheOrderOfTheirIds() {
