@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include <CLI/CLI.hpp>
+#include <QJsonArray>
 #include <QJsonObject>
 
 #include "app/command_text.h"
@@ -73,6 +74,9 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
   command.reportConnected();
   const auto receipt = jobs::leaveOut(*from, *what, to, [&] { return command.time().over(); });
   if (!receipt) return wrong(receipt.error());
+  const QStringList damage = jobs::damageSentences(*receipt);
+  for (const QString& sentence : damage) say(sentence);
+  const int code = damage.isEmpty() ? kDone : kIncomplete;
   if (args.json) {
     printJson(QJsonObject{{QStringLiteral("written"), to},
                           {QStringLiteral("dropped"),
@@ -82,11 +86,12 @@ CommandResult<int> slamDrop(RobotCommand& command, const DropArguments& args) {
                                        {QStringLiteral("inter"), qint64(receipt->inter)},
                                        {QStringLiteral("intra"), qint64(receipt->intra)},
                                        {QStringLiteral("records"), qint64(receipt->records)}}},
-                          {QStringLiteral("records_rewritten"), qint64(receipt->rewritten)}});
-    return kDone;
+                          {QStringLiteral("records_rewritten"), qint64(receipt->rewritten)},
+                          {QStringLiteral("warnings"), QJsonArray::fromStringList(damage)}});
+    return code;
   }
   for (const QString& said : jobs::leftOutSentences(*receipt, to)) printLine(said);
-  return kDone;
+  return code;
 }
 
 }  // namespace

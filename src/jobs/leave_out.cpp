@@ -44,6 +44,16 @@ QStringList leftOutSentences(const pbstream::DropReceipt& receipt, const QString
           "No pose has changed: Cartographer optimises them when it loads the file and runs again.")};
 }
 
+QStringList damageSentences(const pbstream::DropReceipt& receipt) {
+  QStringList said;
+  for (const Fault& why : receipt.damaged)
+    said << LeaveOutText::tr("Damaged, and copied as it is: %1").arg(sentences::wordsOf(why));
+  if (receipt.more_damaged > 0)
+    said << LeaveOutText::tr("More records that are damaged and were copied: %1.")
+                .arg(QString::fromStdString(words::grouped(std::int64_t(receipt.more_damaged))));
+  return said;
+}
+
 LeaveOutJob::LeaveOutJob(const std::shared_ptr<work::Workers>& workers, QObject* parent)
     : QObject(parent), share_(workers) {}
 
@@ -65,7 +75,7 @@ void LeaveOutJob::start(const QString& from, const map::GraphParts& what, const 
         });
     LeaveOutResult result{to, {}, {}, false};
     if (receipt) {
-      result.said = leftOutSentences(*receipt, to);
+      result.said = leftOutSentences(*receipt, to) + damageSentences(*receipt);
     } else {
       result.error = receipt.error();
       result.cancelled = cancelled->load();

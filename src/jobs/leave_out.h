@@ -27,10 +27,12 @@ tl::expected<pbstream::DropReceipt, QString> leaveOut(const QString& from, const
                                                       const std::function<void(double)>& progressed = {});
 /// What has become of it: sentences.
 QStringList leftOutSentences(const pbstream::DropReceipt& receipt, const QString& to);
+/// What was copied although it is damaged: sentences.
+QStringList damageSentences(const pbstream::DropReceipt& receipt);
 
 struct LeaveOutResult {
   QString path;      // of the new file
-  QStringList said;  // leftOutSentences()
+  QStringList said;  // leftOutSentences(), damageSentences()
   QString error;     // a sentence; empty: it is done
   bool cancelled = false;
 };

@@ -226,6 +226,7 @@ class Dropping {
           ++receipt.records;
           break;
         case Fate::Stays:
+          noteDamage(record);
           if (!why.any()) why = copy(record.offset, record.end(), out);
           break;
         case Fate::Rewritten:
@@ -440,6 +441,17 @@ class Dropping {
     out.write(size, sizeof size);
     out.write(packed.data.get(), packed.size);
     return {};
+  }
+
+  /// When the file was read, only the beginning of most records was unpacked.
+  void noteDamage(const Record& record) {
+    stream_.start(record);
+    stream_.finish();
+    if (!stream_.fault().any()) return;
+    if (receipt.damaged.size() == DropReceipt::kMostDamaged)
+      ++receipt.more_damaged;
+    else
+      receipt.damaged.push_back(inRecord(record, stream_.fault()));
   }
 
   Fault copy(std::uint64_t from, std::uint64_t to, disk::WrittenFile& out) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -21,6 +22,11 @@ struct DropReceipt {
   std::size_t inter = 0, intra = 0;  // constraints
   std::size_t records = 0;           // left out altogether
   std::size_t rewritten = 0;         // records with other bytes than before; all others have the same
+  static constexpr std::size_t kMostDamaged = 5;
+  /// Records that were copied as they are although they cannot be unpacked: "Record 1 at byte 2: why", and
+  /// how many more there are.
+  std::vector<Fault> damaged;
+  std::size_t more_damaged = 0;
 };
 
 /// Writes a new file, `to`; nothing may be there. It is read again and compared before this succeeds. The

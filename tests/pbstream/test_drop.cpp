@@ -247,6 +247,41 @@ class DropTest : public QObject {
     QVERIFY(refusal(what, dangles).find("would refer to what is not there") != std::string::npos);
   }
 
+  void aDamagedRecordThatIsCopiedIsTold() {
+    const std::string whole = wholeFile();
+    std::string damaged = record(imuRecord(0));
+    damaged[damaged.size() - 5] = char(~damaged[damaged.size() - 5]);  // the checksum
+    Dropped what;
+    what.closures = {{{0, 0}, {0, 3}}};
+    const Result result = dropped(what, whole + damaged + record(imuRecord(1)));
+    QCOMPARE(result.after[result.after.size() - 2], damaged);
+    QCOMPARE(result.receipt->damaged.size(), std::size_t(1));
+    const std::string said = inEnglish(result.receipt->damaged[0]);
+    QVERIFY2(said.find("Record 17 at byte ") == 0, said.c_str());
+    QVERIFY2(said.find("its gzip stream is damaged") != std::string::npos, said.c_str());
+    QVERIFY(dropped(what, whole).receipt->damaged.empty());
+    std::string many = whole;
+    for (int i = 0; i < 15; ++i) many += damaged;
+    const Result most = dropped(what, many);
+    QCOMPARE(most.receipt->damaged.size() + most.receipt->more_damaged, std::size_t(15));
+    QVERIFY(most.receipt->more_damaged > 0);
+  }
+
+  void theOrderOfFieldsDoesNotMatter() {
+    Dropped what;
+    what.trajectories = {1};
+    what.submaps = {{0, 1}};
+    std::string odd = header() + record(backwards(graphRecord())) + record(backwards(optionsRecord(2)));
+    for (const auto& data : {submapRecord(0, 0), submapRecord(0, 1), submapRecord(1, 0), nodeRecord(0, 0),
+                             nodeRecord(1, 0), imuRecord(0), imuRecord(1)})
+      odd += record(backwards(data));
+    const Result result = dropped(what, odd), usual = dropped(what);
+    QVERIFY(*result.file.graph == *usual.file.graph);
+    QCOMPARE(result.file.submaps.size(), std::size_t(1));
+    QCOMPARE(result.file.recordsOf(RecordKind::Node), quint64(1));
+    QCOMPARE(result.file.recordsOf(RecordKind::Imu), quint64(1));
+  }
+
   void nothingIsWrittenOver() {
     Dropped what;
     what.submaps = {{0, 1}};
