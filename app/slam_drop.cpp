@@ -22,15 +22,15 @@ struct DropArguments : RobotArguments {
   std::string output;
 };
 
-/// "0-4"; nullopt: it is no such id.
+/// "0-4", "-1-4"; nullopt: it is no such id.
 std::optional<std::pair<std::int32_t, std::int32_t>> idsFrom(std::string_view typed) {
-  std::int32_t numbers[2] = {-1, -1};
+  std::int32_t numbers[2] = {0, 0};
   const char* at = typed.data();
   const char* const end = at + typed.size();
   for (int i = 0; i < 2; ++i) {
     if (i == 1 && (at == end || *at++ != '-')) return std::nullopt;
     const auto [behind, error] = std::from_chars(at, end, numbers[i]);
-    if (error != std::errc() || numbers[i] < 0) return std::nullopt;
+    if (error != std::errc()) return std::nullopt;
     at = behind;
   }
   return at == end ? std::optional(std::pair(numbers[0], numbers[1])) : std::nullopt;
@@ -104,7 +104,6 @@ void addSlamDrop(Commands& commands, CLI::App& slam) {
   command
       ->add_option("--trajectory", args->trajectories,
                    help(Text::tr("A trajectory, with all that belongs to it")))
-      ->check(CLI::NonNegativeNumber)
       ->allow_extra_args(false);
   command->add_option("--submap", args->submaps, help(Text::tr("T-I: a submap, with its constraints")))
       ->allow_extra_args(false);

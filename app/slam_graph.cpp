@@ -108,9 +108,10 @@ geometry::WorldRect boundsOf(const pbstream::StateFile& file, std::vector<Fault>
       const geometry::Pose3* const pose = file.poseOf(file.submaps[i].id);
       if (!pose) return;
       const auto world = geometry::toIsometry(*pose);
+      if (!world) return;
       const auto textures = pbstream::readTextures(*file.file, file.submaps[i], *pose);
       if (!textures) why[i] = textures.error();
-      if (!world || !textures) return;
+      if (!textures) return;
       for (const map::RawSlice& slice : textures->slices) {
         const auto in_submap = geometry::toIsometry(slice.slice_pose);
         if (!in_submap) continue;
@@ -135,11 +136,27 @@ geometry::WorldRect boundsOf(const pbstream::StateFile& file, std::vector<Fault>
 std::optional<double> resolutionOf(const pbstream::StateFile& file) {
   std::map<double, int> sizes;
   for (const pbstream::StoredSubmap& submap : file.submaps) {
-    if (submap.resolution_m) ++sizes[*submap.resolution_m];
+    const double size_m = submap.resolution_m.value_or(NAN);
+    if (std::isfinite(size_m) && size_m > 0) ++sizes[size_m];
   }
   const auto most = std::max_element(sizes.begin(), sizes.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == sizes.end() ? std::nullopt : std::optional(most->first);
+}
+
+/// A sentence about submaps whose place in the pose graph is none; empty: there are none.
+QString unplaceableIn(const pbstream::StateFile& file) {
+  constexpr qsizetype kMostNamed = 5;
+  QStringList names;
+  for (const pbstream::StoredSubmap& submap : file.submaps) {
+    const geometry::Pose3* const pose = file.poseOf(submap.id);
+    if (pose && !geometry::toIsometry(*pose)) names << text(map::toText(submap.id));
+  }
+  if (names.isEmpty()) return {};
+  const QString count = counted(std::size_t(names.size()));
+  if (names.size() > kMostNamed) names = names.mid(0, kMostNamed) << QStringLiteral("…");
+  return Text::tr("Submaps whose place is none, as a number is not finite or it has no direction: %1 (%2).")
+      .arg(count, names.join(QStringLiteral(", ")));
 }
 
 QString noLoopClosed() {
@@ -156,6 +173,7 @@ CommandResult<int> slamInfo(RobotCommand& command, const SlamArguments& args) {
   const geometry::WorldRect bounds = boundsOf(*file, losses);
   QStringList warnings, odd;
   for (const Fault& loss : losses) warnings << sentences::wordsOf(loss);
+  if (const QString unplaceable = unplaceableIn(*file); !unplaceable.isEmpty()) warnings << unplaceable;
   const auto unfinished = std::size_t(std::count_if(file->submaps.begin(), file->submaps.end(),
                                                     [](const auto& submap) { return !submap.finished; }));
   std::size_t nodes = 0;

@@ -129,6 +129,77 @@ class SlamCommandTest : public QObject {
     QVERIFY(!QFile::exists(other));
   }
 
+  void whatHasNegativeIdsIsLeftOutToo() {
+    auto graph = state::graphRecord();
+    graph.mutable_pose_graph()->mutable_trajectory(1)->set_trajectory_id(-1);
+    for (auto& one : *graph.mutable_pose_graph()->mutable_constraint()) {
+      if (one.submap_id().trajectory_id() == 1) one.mutable_submap_id()->set_trajectory_id(-1);
+      if (one.node_id().trajectory_id() == 1) one.mutable_node_id()->set_trajectory_id(-1);
+    }
+    const QString file =
+        write(state::header() + state::record(graph) + state::record(state::optionsRecord(2)) +
+              state::record(state::submapRecord(0, 0)) + state::record(state::submapRecord(0, 1)) +
+              state::record(state::submapRecord(-1, 0)));
+    int number = 0;
+    const auto submapsWithout = [&](const char* option, const char* id) {
+      const QString to = program_.path(QStringLiteral("negative%1.pbstream").arg(++number));
+      const Outcome drop =
+          slam("drop", file, {QLatin1String(option), QLatin1String(id), QStringLiteral("-o"), to});
+      if (drop.code != 0) qWarning("%s", qPrintable(drop.err));
+      return slam("info", to, {QStringLiteral("--json")}).object()[QLatin1String("submaps")].toInt(-1);
+    };
+    QCOMPARE(submapsWithout("--trajectory", "-1"), 2);
+    QCOMPARE(submapsWithout("--submap", "-1-0"), 2);
+    QCOMPARE(submapsWithout("--closure", "0-1:-1-1"), 3);
+  }
+
+  void aDamagedRecordThatIsCopiedIsTold() {
+    std::string damaged = state::record(state::imuRecord(0));
+    damaged[damaged.size() - 5] = char(~damaged[damaged.size() - 5]);
+    const QString file = write(state::wholeFile() + damaged), to = program_.path("copied.pbstream");
+    const Outcome drop = slam("drop", file,
+                              {QStringLiteral("--closure"), QStringLiteral("0-0:0-3"), QStringLiteral("-o"),
+                               to, QStringLiteral("--json")});
+    QCOMPARE(drop.code, 1);
+    QVERIFY2(drop.err.startsWith(QStringLiteral("Damaged, and copied as it is: Record 17 at byte ")),
+             qPrintable(drop.err));
+    QVERIFY2(drop.err.endsWith(QStringLiteral("its gzip stream is damaged.\n")), qPrintable(drop.err));
+    QCOMPARE(drop.object()[QLatin1String("warnings")].toArray().size(), 1);
+    QVERIFY(QFile::exists(to));
+  }
+
+  void whatHasNoUsablePlaceOrCellSizeIsNamed() {
+    auto graph = state::graphRecord();
+    graph.mutable_pose_graph()->mutable_trajectory(0)->mutable_submap(1)->mutable_pose()->clear_rotation();
+    auto nowhere = state::submapRecord(1, 0);
+    nowhere.mutable_submap()->mutable_submap_2d()->mutable_grid()->mutable_limits()->set_resolution(
+        std::numeric_limits<double>::quiet_NaN());
+    const QString file = write(state::header() + state::record(graph) + state::record(nowhere) +
+                               state::record(state::submapRecord(0, 1)));
+    const Outcome info = slam("info", file);
+    QCOMPARE(info.code, 1);
+    QVERIFY2(info.err.contains(QStringLiteral("(0-1)")), qPrintable(info.err));
+    QVERIFY2(info.err.contains(QStringLiteral("cell size")), qPrintable(info.err));
+    QVERIFY2(!info.out.contains(QStringLiteral("nan")), qPrintable(info.out));
+    QVERIFY2(info.out.contains(QStringLiteral("0.05 m per cell")), qPrintable(info.out));
+  }
+
+  void constraintsThatReferToNothingCountAsNeitherKind() {
+    auto graph = state::graphRecord();
+    graph.mutable_pose_graph()->mutable_constraint(6)->mutable_node_id()->set_node_index(99);
+    const QString file =
+        write(state::header() + state::record(graph) + state::record(state::submapRecord(0, 0)));
+    for (const char* command : {"info", "closures"}) {
+      const QJsonObject json = slam(command, file, {QStringLiteral("--json")}).object();
+      const QJsonObject counts = command[0] == 'i' ? json[QLatin1String("constraints")].toObject() : json;
+      QCOMPARE(counts[QLatin1String("inter")].toInt(), 1);
+      QCOMPARE(counts[QLatin1String("intra")].toInt(), 6);
+      QCOMPARE(counts[QLatin1String("dangling")].toInt(), 1);
+    }
+    const Outcome closures = slam("closures", file);
+    QVERIFY2(closures.out.contains(QStringLiteral("1 dangling")), qPrintable(closures.out));
+  }
+
   void whatIsLeftOutIsNotWrittenWhereTheReportGoes() {
     const QString file = write(state::wholeFile()), to = program_.path("shared.pbstream");
     const Outcome refused = slam("drop", file,
