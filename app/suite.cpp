@@ -190,27 +190,27 @@ Judgement judged(const PlannedSuite& plan, std::size_t view) {
 class OrderedLines {
  public:
   explicit OrderedLines(std::size_t count) : lines_(count), there_(count, false) {}
-  void put(std::size_t at, const QString& line, ProgressLine& progress) {
-    lines_[at] = line;
+  void put(std::size_t at, const QStringList& lines, ProgressLine& progress) {
+    lines_[at] = lines;
     there_[at] = true;
     ++came_;
     if (next_ < there_.size() && there_[next_]) progress.clear();
     for (; next_ < there_.size() && there_[next_]; ++next_) {
-      if (!lines_[next_].isEmpty()) printLine(oneLine(lines_[next_]));
+      for (const QString& line : lines_[next_]) printLine(oneLine(line));
       lines_[next_].clear();
     }
     progress.tell(Text::tr("%1 of %2 views").arg(came_).arg(there_.size()));
   }
 
  private:
-  std::vector<QString> lines_;
+  std::vector<QStringList> lines_;
   std::vector<bool> there_;
   std::size_t next_ = 0, came_ = 0;
 };
 
-/// Draws all views; `take` says what came of each, in a line.
+/// Draws all views; `take` says what came of each, in lines.
 void drawPlanned(const PlannedSuite& plan, const RobotAccess& access, int jobs,
-                 const std::function<QString(std::size_t, const DrawnView&)>& take) {
+                 const std::function<QStringList(std::size_t, const DrawnView&)>& take) {
   for (std::size_t view = 0; view < plan.views.size(); ++view) {
     for (const char* const kind : {"actual", "difference"}) QFile::remove(plan.made(kind, view));
     QFile::remove(suite::factsBeside(plan.made("actual", view)));
@@ -219,11 +219,6 @@ void drawPlanned(const PlannedSuite& plan, const RobotAccess& access, int jobs,
   OrderedLines lines(plan.views.size());
   drawViews(plan.options, access, jobs,
             [&](std::size_t view, const DrawnView& drawn) { lines.put(view, take(view, drawn), progress); });
-}
-
-QString lineOf(const ViewOutcome& outcome) {
-  const QString line = QStringLiteral("%1: %2").arg(outcome.name, suite::verdictText(outcome.verdict));
-  return outcome.sentence.isEmpty() ? line : QStringLiteral("%1. %2").arg(line, outcome.sentence);
 }
 
 std::optional<QString> writeFacts(const QString& path, const suite::Facts& facts) {
@@ -276,7 +271,7 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     QFile::remove(actual);
     outcome.actual.clear();
   }
-  if (not_kept) outcome.sentence += QLatin1Char(' ') + *not_kept;
+  if (not_kept) outcome.sentence += QLatin1Char('\n') + *not_kept;
   return outcome;
 }
 
@@ -319,7 +314,9 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   bool unreadable = false;
   drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) {
     outcomes[view] = outcomeOf(plan, view, drawn, unreadable);
-    return lineOf(outcomes[view]);
+    const ViewOutcome& outcome = outcomes[view];
+    return suite::linesOf(QStringLiteral("%1: %2").arg(outcome.name, suite::verdictText(outcome.verdict)),
+                          outcome);
   });
   if (const auto why = writeReports(plan, outcomes)) return refuse(kUsage, *why);
   const suite::Tally tally = suite::tallyOf(outcomes);
@@ -362,11 +359,11 @@ QString endVariants(const PlannedSuite& plan, std::size_t view) {
 int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   if (const auto why = noFolderReason(plan.expected)) return refuse(kUsage, *why);
   int code = kDone;
-  drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) {
+  drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) -> QStringList {
     const QString& name = plan.views[view].name;
     const auto fail = [&](int with, const QString& sentence) {
       code = std::max(code, with);
-      return Text::tr("%1: nothing accepted. %2").arg(name, sentence);
+      return QStringList(Text::tr("%1: nothing accepted. %2").arg(name, sentence));
     };
     if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
     if (!drawn.examined.lacks.isEmpty())
@@ -376,9 +373,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     const Judgement verdict = judged(plan, view);
     ViewOutcome of_session;
     suite::judgeQuality(plan.views[view].quality, drawn.examined, suite::expectedFacts(verdict), of_session);
-    const auto told = [&of_session](const QString& line) {
-      return of_session.sentence.isEmpty() ? line : QStringLiteral("%1. %2").arg(line, of_session.sentence);
-    };
+    const auto told = [&of_session](const QString& line) { return suite::linesOf(line, of_session); };
     if (verdict.verdict == Verdict::AsExpected) {
       facts.picture = suite::sumOf(verdict.expected);
       const QString beside = suite::factsBeside(verdict.expected);
@@ -402,8 +397,8 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     if (const auto why = replaceExpected(plan, view, facts)) return fail(kUsage, *why);
     const QString ended = endVariants(plan, view);
     if (!replaces) return told(Text::tr("%1: new, %2").arg(name, picture));
-    const QString sentence = (outcome.sentence + QLatin1Char(' ') + of_session.sentence).trimmed();
-    return Text::tr("%1: replaced %2. %3").arg(name, picture, ended + sentence);
+    of_session.sentence = (ended + outcome.sentence).trimmed() + QLatin1Char('\n') + of_session.sentence;
+    return told(Text::tr("%1: replaced %2").arg(name, picture));
   });
   sayStrays(plan.strays);
   return code;

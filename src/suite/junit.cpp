@@ -46,8 +46,10 @@ bool writeJunit(const QString& suite, const std::vector<ViewOutcome>& outcomes, 
       xml.writeStartElement(outcome.verdict == Verdict::Failed ? QStringLiteral("error")
                                                                : QStringLiteral("failure"));
       xml.writeAttribute(QStringLiteral("type"), verdictText(outcome.verdict));
-      xml.writeAttribute(QStringLiteral("message"), inXml(outcome.sentence));
-      xml.writeCharacters(inXml(outcome.sentence));
+      const QStringList lines = outcome.sentence.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+      xml.writeAttribute(QStringLiteral("message"), inXml(lines.join(QLatin1Char(' '))));
+      for (qsizetype i = 0; i < lines.size(); ++i)
+        xml.writeCharacters((i > 0 ? QStringLiteral("\n") : QString()) + inXml(lines[i]));
       for (const QString& place : outcome.worst_closures + outcome.worst_squares)
         xml.writeCharacters(QLatin1Char('\n') + inXml(place));
       xml.writeEndElement();

@@ -1,5 +1,7 @@
 #include "suite/outcome.h"
 
+#include <utility>
+
 #include <QCoreApplication>
 
 #include "compare/comparison_sentence.h"
@@ -42,6 +44,24 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
 QString ViewOutcome::Figure::words() const {
   if (before.isEmpty() || before == now) return OutcomeText::tr("%1 %2").arg(name, now);
   return OutcomeText::tr("%1 %2 -> %3").arg(name, before, now);
+}
+
+QStringList linesOf(const QString& head, const ViewOutcome& outcome) {
+  constexpr qsizetype kMostPlaces = 3;
+  const QString indent = QStringLiteral("  ");
+  QStringList lines = outcome.sentence.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  for (const auto& [title, places] :
+       {std::pair(OutcomeText::tr("The worst loop closures:"), &outcome.worst_closures),
+        std::pair(OutcomeText::tr("The worst squares of 1 m:"), &outcome.worst_squares)}) {
+    if (places->isEmpty()) continue;
+    lines << title;
+    for (const QString& place : places->mid(0, kMostPlaces)) lines << indent + place;
+  }
+  if (lines.isEmpty()) return {head};
+  if (lines.size() == 1) return {QStringLiteral("%1. %2").arg(head, lines.first())};
+  for (QString& line : lines) line.prepend(indent);
+  lines.prepend(head);
+  return lines;
 }
 
 Tally tallyOf(const std::vector<ViewOutcome>& outcomes) {

@@ -25,7 +25,7 @@ enum class Verdict {
 struct ViewOutcome {
   QString name;
   Verdict verdict = Verdict::Failed;
-  QString sentence;  // what is to be said of it; empty = nothing
+  QString sentence;  // what is to be said of it, more than one on lines of their own; empty = nothing
   double seconds = 0;
   QString expected, actual, difference;  // files; empty = none
   struct ClusterRow {
@@ -43,6 +43,9 @@ struct ViewOutcome {
   std::vector<Figure> figures;
   QStringList worst_closures, worst_squares;  // where a limit is not held; the first ones
 };
+
+/// For a terminal: `head` and the sentence in one line, or indented lines below it, also of the worst places.
+QStringList linesOf(const QString& head, const ViewOutcome& outcome);
 
 /// What is shown of clusters, with what changed near them.
 std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comparison,

@@ -17,7 +17,7 @@ struct QualityText {
   Q_DECLARE_TR_FUNCTIONS(Quality)
 };
 
-constexpr qsizetype kMostListed = 20, kMostInSentence = 3, kMostSubmaps = 8;
+constexpr qsizetype kMostListed = 20, kMostSubmaps = 8;
 constexpr int kDecimals = 4;
 
 QString metresText(double value) { return QualityText::tr("%1 m").arg(words::decimal(value, kDecimals)); }
@@ -46,10 +46,6 @@ QString squareText(const Examined::Square& square) {
              QualityText::tr("%1 cells at %2, submaps %3", nullptr, sentences::formOf(square.cells)),
              square.cells)
       .arg(compare::placeText(square.center_m), submaps.join(QLatin1Char(' ')));
-}
-
-QString worstText(const QStringList& places) {
-  return places.mid(0, kMostInSentence).join(QStringLiteral("; "));
 }
 
 std::vector<ViewOutcome::Figure> figuresOf(const Facts& now, const Facts& before, const Quality& limits) {
@@ -92,10 +88,8 @@ QString judgeClosures(double limit_m, const map::Closures& closures, ViewOutcome
     if (++over <= kMostListed) outcome.worst_closures << closureText(closure);
   }
   if (over == 0) return {};
-  return QualityText::tr(
-             "Loop closures that contradict the finished map by more than %1: %2 of %3. The worst: %4.")
-      .arg(metresText(limit_m), countText(over), countText(std::int64_t(closures.inter)),
-           worstText(outcome.worst_closures));
+  return QualityText::tr("Loop closures that contradict the finished map by more than %1: %2 of %3.")
+      .arg(metresText(limit_m), countText(over), countText(std::int64_t(closures.inter)));
 }
 
 /// A sentence if the limit is not held.
@@ -106,10 +100,8 @@ QString judgeDisagreement(double limit, const Examined& examined, ViewOutcome& o
     if (outcome.worst_squares.size() == kMostListed) break;
     outcome.worst_squares << squareText(square);
   }
-  return QualityText::
-      tr("Submaps contradict each other in %1 of the occupied cells, more than %2. The worst squares of 1 "
-         "m: %3.")
-          .arg(percentText(share), percentText(limit), worstText(outcome.worst_squares));
+  return QualityText::tr("Submaps contradict each other in %1 of the occupied cells, more than %2.")
+      .arg(percentText(share), percentText(limit));
 }
 
 }  // namespace
@@ -140,11 +132,14 @@ void judgeQuality(const Quality& limits, const Examined& examined, const std::op
   if (outcome.verdict == Verdict::AsExpected && !over.isEmpty()) outcome.verdict = Verdict::OverLimit;
   if (outcome.verdict == Verdict::AsExpected && !examined.lacks.isEmpty()) outcome.verdict = Verdict::Failed;
   QStringList told = examined.lacks + over, figures;
+  if (limits.closures_over_m && examined.closures && examined.closures->inter == 0)
+    told << QualityText::tr("No loop was closed, so there is nothing to hold against the limit of %1.")
+                .arg(metresText(*limits.closures_over_m));
   for (const ViewOutcome::Figure& figure : outcome.figures) figures << figure.words();
   if (!figures.isEmpty())
     told << QualityText::tr("SLAM session: %1.").arg(figures.join(QStringLiteral(", ")));
   if (!outcome.sentence.isEmpty()) told.prepend(outcome.sentence);
-  outcome.sentence = told.join(QLatin1Char(' '));
+  outcome.sentence = told.join(QLatin1Char('\n'));
 }
 
 }  // namespace mapwright::suite

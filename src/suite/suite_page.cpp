@@ -109,7 +109,8 @@ bool writePage(const QString& suite, const std::vector<ViewOutcome>& outcomes, Q
     if (!isTold(outcome)) continue;
     page.section(outcome.name, anchorOf(view));
     page.paragraph(verdictText(outcome.verdict), toneOf(outcome.verdict));
-    if (!outcome.sentence.isEmpty()) page.paragraph(outcome.sentence);
+    for (const QString& line : outcome.sentence.split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+      page.paragraph(line);
     putPictures(outcome, page);
     putClusters(outcome, page);
     putQuality(outcome, page);

@@ -75,8 +75,14 @@ class SuiteQualityTest : public QObject {
                                            "closure at (12.0, -3.1)")});
     QCOMPARE(outcome.worst_squares, (QStringList{QStringLiteral("23 cells at (12.5, -3.5), submaps 0-1 0-4"),
                                                  QStringLiteral("1 cell at (1.5, 0.5), submaps 0-1 0-2")}));
+    const QString percent =
+        QStringLiteral("Submaps contradict each other in 2.4 % of the occupied cells, more than 2 %.");
+    QCOMPARE(outcome.sentence.split(QLatin1Char('\n')).value(1), percent);
+    const QStringList lines = suite::linesOf(QStringLiteral("hall: over a limit"), outcome);
+    QCOMPARE(lines[0], QStringLiteral("hall: over a limit"));
+    QCOMPARE(lines[2], QStringLiteral("  ") + percent);
     for (const QString& place : outcome.worst_closures + outcome.worst_squares)
-      QVERIFY2(outcome.sentence.contains(place), qPrintable(outcome.sentence));
+      QVERIFY2(lines.contains(QStringLiteral("    ") + place), qPrintable(lines.join(QLatin1Char('\n'))));
     QVERIFY2(outcome.sentence.contains(QStringLiteral("by more than 0.6 m: 1 of 2.")),
              qPrintable(outcome.sentence));
   }
@@ -108,7 +114,7 @@ class SuiteQualityTest : public QObject {
       outcome.sentence = QStringLiteral("Why.");
       suite::judgeQuality({0, 0}, examined(), {}, outcome);
       QCOMPARE(outcome.verdict, verdict);
-      QVERIFY(outcome.sentence.startsWith(QStringLiteral("Why. Loop closures")));
+      QVERIFY(outcome.sentence.startsWith(QStringLiteral("Why.\nLoop closures")));
     }
   }
 
@@ -117,7 +123,9 @@ class SuiteQualityTest : public QObject {
     one.closures = std::make_shared<const map::Closures>();
     const ViewOutcome outcome = judged({0.0, {}}, one);
     QCOMPARE(outcome.verdict, Verdict::AsExpected);
-    QCOMPARE(outcome.sentence, QStringLiteral("SLAM session: loop closures 0, largest residual none."));
+    QCOMPARE(outcome.sentence,
+             QStringLiteral("No loop was closed, so there is nothing to hold against the limit of 0 m.\n"
+                            "SLAM session: loop closures 0, largest residual none."));
   }
 
   void constraintsThatAreNotRankedAreCounted() {
@@ -138,6 +146,7 @@ class SuiteQualityTest : public QObject {
     const ViewOutcome outcome = judged({1, {}}, many);
     QCOMPARE(outcome.worst_closures.size(), 20);
     QVERIFY(outcome.worst_closures.first().startsWith(QStringLiteral("10 m")));
+    QCOMPARE(suite::linesOf(QString(), outcome).size(), 7);  // head, two sentences, title, three places
     QVERIFY2(outcome.sentence.size() < 600, qPrintable(outcome.sentence));
     QVERIFY(outcome.sentence.contains(QStringLiteral("1,000 of 1,000")));
   }
