@@ -1,5 +1,6 @@
 #include "jobs/map_folder.h"
 
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -87,6 +88,8 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
       : transfer_(transfer), reply_(std::move(reply)) {
     parts_.facts.key = std::move(key);
     done_.folder = std::move(folder);
+    for (const QString& file : {kFactsFile, kPictureFile, kDataFile, kOverlaysFile})
+      existing_[file] = disk::existingNow(in(done_.folder, file).toStdString());
   }
 
   robot::Call start() {
@@ -140,7 +143,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     const QString path = in(done_.folder, kDataFile);
     if (!data && data.error().robot_code == "404" && !parts_.facts.data_bytes) {
       notWhole();
-      QFile::remove(path);  // it has none
+      removeOld(kDataFile);  // it has none
       return place();
     }
     if (!data) return end(robot::fail(std::move(data.error())));
@@ -157,7 +160,11 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   }
 
   /// A map that was there is replaced from now on, and not before.
-  void notWhole() { QFile::remove(in(done_.folder, kFactsFile)); }
+  void notWhole() { removeOld(kFactsFile); }
+  /// What has come meanwhile stays.
+  void removeOld(const QString& name) {
+    if (existing_[name] == disk::Existing::Replace) QFile::remove(in(done_.folder, name));
+  }
 
   void endByFile(const QString& why) {
     end(robot::fail(aboutFile(parts_.facts, Fault(disk::fault::FileNotWritten, {done_.folder.toStdString()},
@@ -182,7 +189,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   }
 
   bool write(const QString& name, std::string_view bytes) {
-    const auto error = disk::writeFile(in(done_.folder, name).toStdString(), bytes);
+    const auto error = disk::writeFile(in(done_.folder, name).toStdString(), bytes, existing_[name]);
     if (error) {
       end(robot::fail(aboutFile(parts_.facts, disk::notWritten(*error))));
       return false;
@@ -196,7 +203,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     files_[kPictureFile] = entryOfFile(std::int64_t(parts_.picture->size()), hashOf(*parts_.picture));
     if (!write(kPictureFile, *parts_.picture)) return;
     if (facts.overlays.empty()) {
-      QFile::remove(in(done_.folder, kOverlaysFile));
+      removeOld(kOverlaysFile);
     } else {
       files_[kOverlaysFile] = entryOfFile(std::int64_t(facts.overlays.size()), hashOf(facts.overlays));
       if (!write(kOverlaysFile, facts.overlays)) return;
@@ -214,6 +221,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   bool cancelled_ = false;
   robot::MapParts parts_;
   DownloadedMap done_;
+  std::map<QString, disk::Existing> existing_;  // by the names of its files
   QFile file_;
   std::unique_ptr<QLockFile> lock_;
   QCryptographicHash hash_{QCryptographicHash::Sha256};
