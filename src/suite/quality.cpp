@@ -60,7 +60,10 @@ std::vector<ViewOutcome::Figure> figuresOf(const Facts& now, const Facts& before
     const auto largest = [](const ClosuresFact& of) {
       return of.largest_m ? metresText(*of.largest_m) : QualityText::tr("none");
     };
-    add(QualityText::tr("loop closures"), [](const ClosuresFact& of) { return countText(of.inter); });
+    const int least = limits.closures_at_least;
+    add(
+        QualityText::tr("loop closures"), [](const ClosuresFact& of) { return countText(of.inter); },
+        least > 0 ? QualityText::tr("at least %1").arg(countText(least)) : QString());
     add(QualityText::tr("largest residual"), largest, metresText(*limits.closures_over_m));
   }
   if (now.disagreement && limits.disagreement_over) {
@@ -124,15 +127,20 @@ void judgeQuality(const Quality& limits, const Examined& examined, const std::op
   addFigures(examined, now);
   outcome.figures = figuresOf(now, before.value_or(Facts()), limits);
   QStringList over;
-  if (limits.closures_over_m && examined.closures)
+  if (limits.closures_over_m && examined.closures) {
     over << judgeClosures(*limits.closures_over_m, *examined.closures, outcome);
+    if (const auto inter = std::int64_t(examined.closures->inter); inter < limits.closures_at_least)
+      over << QualityText::tr("Loop closures: %1, at least %2 are wanted.")
+                  .arg(countText(inter), countText(limits.closures_at_least));
+  }
   if (limits.disagreement_over && examined.disagreement)
     over << judgeDisagreement(*limits.disagreement_over, examined, outcome);
   over.removeAll(QString());
   if (outcome.verdict == Verdict::AsExpected && !over.isEmpty()) outcome.verdict = Verdict::OverLimit;
   if (outcome.verdict == Verdict::AsExpected && !examined.lacks.isEmpty()) outcome.verdict = Verdict::Failed;
   QStringList told = examined.lacks + over, figures;
-  if (limits.closures_over_m && examined.closures && examined.closures->inter == 0)
+  if (limits.closures_over_m && limits.closures_at_least == 0 && examined.closures &&
+      examined.closures->inter == 0)
     told << QualityText::tr("No loop was closed, so there is nothing to hold against the limit of %1.")
                 .arg(metresText(*limits.closures_over_m));
   for (const ViewOutcome::Figure& figure : outcome.figures) figures << figure.words();

@@ -112,6 +112,8 @@ Quality qualityOf(const YAML::Node& node) {
     if (!seen.insert(key).second) throw twiceAt(pair.first);
     if (key == "closures_over_m") {
       quality.closures_over_m = numberOf(pair.second, shown_key, kLargestLimitM);
+    } else if (key == "closures_at_least") {
+      quality.closures_at_least = wholeOf(pair.second, shown_key, Quality::kMostClosures);
     } else if (key == "disagreement_over") {
       quality.disagreement_over = numberOf(pair.second, shown_key, 1);
     } else if (key == "tolerance_cells") {
@@ -120,11 +122,14 @@ Quality qualityOf(const YAML::Node& node) {
       throw refusedAt(
           pair.first.Mark(),
           SuiteText::tr("There is no key \"%1\" of quality. Known: %2.")
-              .arg(shown_key, QStringLiteral("closures_over_m, disagreement_over, tolerance_cells")));
+              .arg(shown_key,
+                   QStringLiteral("closures_over_m, disagreement_over, tolerance_cells, closures_at_least")));
     }
   }
   if (!quality.asked())
     throw refusedAt(node.Mark(), SuiteText::tr("quality needs closures_over_m, disagreement_over or both."));
+  if (seen.contains("closures_at_least") && !quality.closures_over_m)
+    throw refusedAt(node.Mark(), SuiteText::tr("closures_at_least means nothing without closures_over_m."));
   if (seen.contains("tolerance_cells") && !quality.disagreement_over)
     throw refusedAt(node.Mark(), SuiteText::tr("tolerance_cells means nothing without disagreement_over."));
   return quality;

@@ -25,9 +25,10 @@ struct ViewOption {
 /// Limits of the SLAM session behind a view; nullopt = none, and nothing is looked at.
 struct Quality {
   std::optional<double> closures_over_m;    // the largest residual of a loop closure (INTER)
+  int closures_at_least = 0;                // so many loop closures; only together with the one before
   std::optional<double> disagreement_over;  // the share of occupied cells that contradict, 0..1
   int tolerance_cells = 4;                  // of the disagreement: walls so far apart are the same wall
-  static constexpr int kMostTolerance = 40;
+  static constexpr int kMostTolerance = 40, kMostClosures = 1'000'000;
   bool asked() const { return closures_over_m || disagreement_over; }
 };
 

@@ -133,6 +133,11 @@ class ReadSuiteTest : public QObject {
     row("a large tolerance of quality",
         "views:\n  - {name: a, quality: {disagreement_over: 1, tolerance_cells: 41}}",
         "Line 2, column 64: ", "0 to 40");
+    row("closures without their limit",
+        "views:\n  - {name: a, quality: {disagreement_over: 1, closures_at_least: 1}}",
+        "Line 2, column 24: ", "without closures_over_m");
+    row("half a closure", "views:\n  - {name: a, quality: {closures_over_m: 1, closures_at_least: 1.5}}",
+        "Line 2, column 64: ", "closures_at_least must be a whole number");
     row("a tolerance without its limit",
         "views:\n  - {name: a, quality: {closures_over_m: 1, tolerance_cells: 1}}",
         "Line 2, column 24: ", "without disagreement_over");

@@ -62,14 +62,14 @@ class SuiteQualityTest : public QObject {
     QFETCH(double, closures);
     QFETCH(double, share);
     QFETCH(bool, held);
-    const ViewOutcome outcome = judged({closures, share}, examined());
+    const ViewOutcome outcome = judged({closures, 0, share}, examined());
     QCOMPARE(outcome.verdict, held ? Verdict::AsExpected : Verdict::OverLimit);
     QCOMPARE(outcome.worst_closures.isEmpty(), closures >= 0.75);
     QCOMPARE(outcome.worst_squares.isEmpty(), share >= 0.024);
   }
 
   void theWorstPlacesAreNamed() {
-    const ViewOutcome outcome = judged({0.6, 0.02}, examined());
+    const ViewOutcome outcome = judged({0.6, 0, 0.02}, examined());
     QCOMPARE(outcome.worst_closures,
              QStringList{QString::fromUtf8("0.75 m and 0°: submap 0-4, node 1-512 at (12.4, -3.1), by the "
                                            "closure at (12.0, -3.1)")});
@@ -91,7 +91,7 @@ class SuiteQualityTest : public QObject {
     suite::Facts before;
     before.closures = suite::ClosuresFact{2, 0.25};
     before.disagreement = suite::DisagreementFact{4, 1000, 8};
-    const ViewOutcome outcome = judged({1, 1}, examined(), Verdict::AsExpected, before);
+    const ViewOutcome outcome = judged({1, 0, 1}, examined(), Verdict::AsExpected, before);
     QCOMPARE(outcome.verdict, Verdict::AsExpected);
     QCOMPARE(outcome.sentence,
              QStringLiteral("SLAM session: loop closures 2, largest residual 0.25 m -> 0.75 m, "
@@ -102,7 +102,7 @@ class SuiteQualityTest : public QObject {
   void whatCouldNotBeExaminedFails() {
     suite::Examined none;
     none.lacks = {QStringLiteral("There is no pose graph here.")};
-    const ViewOutcome outcome = judged({0.5, {}}, none);
+    const ViewOutcome outcome = judged({0.5, 0, {}}, none);
     QCOMPARE(outcome.verdict, Verdict::Failed);
     QCOMPARE(outcome.sentence, none.lacks.first());
   }
@@ -112,7 +112,7 @@ class SuiteQualityTest : public QObject {
       ViewOutcome outcome;
       outcome.verdict = verdict;
       outcome.sentence = QStringLiteral("Why.");
-      suite::judgeQuality({0, 0}, examined(), {}, outcome);
+      suite::judgeQuality({0, 0, 0}, examined(), {}, outcome);
       QCOMPARE(outcome.verdict, verdict);
       QVERIFY(outcome.sentence.startsWith(QStringLiteral("Why.\nLoop closures")));
     }
@@ -121,11 +121,21 @@ class SuiteQualityTest : public QObject {
   void aSessionWithoutClosuresSaysSo() {
     suite::Examined one = examined();
     one.closures = std::make_shared<const map::Closures>();
-    const ViewOutcome outcome = judged({0.0, {}}, one);
+    const ViewOutcome outcome = judged({0.0, 0, {}}, one);
     QCOMPARE(outcome.verdict, Verdict::AsExpected);
     QCOMPARE(outcome.sentence,
              QStringLiteral("No loop was closed, so there is nothing to hold against the limit of 0 m.\n"
                             "SLAM session: loop closures 0, largest residual none."));
+  }
+
+  void fewerClosuresThanWantedAreOverTheLimit() {
+    suite::Quality limits{1, 2, {}};
+    QCOMPARE(judged(limits, examined()).verdict, Verdict::AsExpected);
+    limits.closures_at_least = 3;
+    const ViewOutcome outcome = judged(limits, examined());
+    QCOMPARE(outcome.verdict, Verdict::OverLimit);
+    QVERIFY(outcome.sentence.startsWith(QStringLiteral("Loop closures: 2, at least 3 are wanted.\n")));
+    QCOMPARE(outcome.figures[0].limit, QStringLiteral("at least 3"));
   }
 
   void constraintsThatAreNotRankedAreCounted() {
@@ -133,7 +143,8 @@ class SuiteQualityTest : public QObject {
     map::Closures closures = *one.closures;
     closures.dangling = 3;
     one.closures = std::make_shared<const map::Closures>(closures);
-    QVERIFY(judged({1, {}}, one).sentence.contains(QStringLiteral("constraints that could not be judged 3")));
+    QVERIFY(
+        judged({1, 0, {}}, one).sentence.contains(QStringLiteral("constraints that could not be judged 3")));
   }
 
   void onlyTheWorstAreListed() {
@@ -143,7 +154,7 @@ class SuiteQualityTest : public QObject {
       closures.ranked.push_back(closure(map::ConstraintKind::Inter, 10 - i * 0.001));
     closures.inter = 1000;
     many.closures = std::make_shared<const map::Closures>(closures);
-    const ViewOutcome outcome = judged({1, {}}, many);
+    const ViewOutcome outcome = judged({1, 0, {}}, many);
     QCOMPARE(outcome.worst_closures.size(), 20);
     QVERIFY(outcome.worst_closures.first().startsWith(QStringLiteral("10 m")));
     QCOMPARE(suite::linesOf(QString(), outcome).size(), 7);  // head, two sentences, title, three places
