@@ -24,16 +24,18 @@ namespace mapwright::jobs {
 namespace {
 
 using Proceed = std::function<bool(double)>;
-using Problem = std::optional<QString>;
+using Problem = std::optional<Fault>;
 
 constexpr double kComposePart = 0.7;  // of the work, if submaps have to be composed first
 
-Problem told(const std::optional<Fault>& reason) {
-  return reason ? std::optional(sentences::wordsOf(*reason)) : std::nullopt;
+Problem told(const std::optional<disk::FileError>& fault) {
+  return fault ? Problem(disk::notWritten(*fault)) : std::nullopt;
 }
 
-Problem told(const std::optional<disk::FileError>& fault) {
-  return fault ? told(std::optional(disk::notWritten(*fault))) : std::nullopt;
+/// Where a picture is whose name was taken; empty: that is not the problem.
+QString keptInstead(const Fault& problem) {
+  if (problem.because.empty() || problem.because[0].code != disk::fault::NameTaken) return {};
+  return QString::fromStdString(std::get<std::string>(problem.because[0].arguments[0]));
 }
 
 /// What AMCL and nav2 do not see of what we show; empty if they see all.
@@ -55,13 +57,13 @@ QString unseenBy(const grids::SeenByRobots& seen) {
 
 Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed,
                   QString& remark) {
-  if (!map.cells) return QCoreApplication::translate("window", "There is no map to export.");
+  if (!map.cells) return Fault(faultText("jobs", "There is no map to export."));
   const std::string path = QDir::toNativeSeparators(request.path).toStdString();
   if (request.format != ExportFormat::MapServer)
-    return told(grids::writeGridPng(*map.cells, path, proceed, request.existing));
+    return grids::writeGridPng(*map.cells, path, proceed, request.existing);
   const auto seen =
       grids::writeMapServer(*map.cells, map.reference, path, request.form, proceed, request.existing);
-  if (!seen) return told(std::optional(seen.error()));
+  if (!seen) return seen.error();
   remark = unseenBy(*seen);
   return std::nullopt;
 }
@@ -157,7 +159,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   };
   if (const auto* view = std::get_if<ViewExport>(&request.source)) {
     reference = view->reference;
-    if (writeWorldFile()) problem = told(writePicture(view->picture, request.path, request.existing));
+    if (writeWorldFile()) problem = writePicture(view->picture, request.path, request.existing);
   } else if (const auto* whole = std::get_if<WholeMapExport>(&request.source)) {
     reference = whole->reference;
     if (writeWorldFile()) problem = writeGrid(*whole, request, watched, result.remark);
@@ -175,11 +177,17 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
             [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); }, result.remark);
       }
     } else {
-      problem = sentences::wordsOf(composed.error());
+      problem = composed.error();
     }
   }
   if (!problem && !result.cancelled && world_file) problem = told(world_file->place());
-  if (problem && !result.cancelled) result.error = *problem;
+  if (problem && !result.cancelled) {
+    result.error = sentences::wordsOf(*problem);
+    // The place of the picture belongs to where it is.
+    if (const QString kept = keptInstead(*problem); world_file && !kept.isEmpty())
+      disk::writeFile(worldFilePath(kept, request.format).toStdString(), grids::worldFileText(reference),
+                      request.existing);
+  }
   return result;
 }
 
