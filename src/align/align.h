@@ -1,0 +1,76 @@
+// Where the same site lies in two maps of it: candidates, how well each agrees, and whether one of them is
+// right beyond doubt. World metres, radians counter-clockwise. Why these rules:
+// docs/tasks/new-map.md.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "align/plan.h"
+#include "geometry/pose.h"
+#include "placing/align.h"
+#include "work/workers.h"
+
+namespace mapwright::align {
+
+/// How far the walls of one map lie from walls of the other. Only walls where the other map knows something.
+struct WallDistances {
+  double within_10cm = 0;  // share of them with a wall within 10 cm, 0..1
+  double median_m = 0, p95_m = 0, max_m = 0;
+  double seen_share = 0;  // of all walls of the first map: how much of them the other one can answer for
+  bool operator==(const WallDistances&) const = default;
+};
+
+/// `transform` carries a point of the old map to the new one: p' = R(yaw) p + (x, y).
+struct Candidate {
+  geometry::Pose2 transform;
+  double score = 0;  // 0..1: agreement of the walls, both ways, times how much of them could be compared
+  bool operator==(const Candidate&) const = default;
+};
+
+struct Agreement {
+  double overlap = 0;     // known cells that both know, as a share of those of the smaller map
+  WallDistances forward;  // walls of the old map
+  WallDistances backward;
+  bool operator==(const Agreement&) const = default;
+};
+
+/// Why nothing is chosen.
+enum class Doubt {
+  None,
+  NoWalls,        // a map without walls
+  NoOverlap,      // nothing fits at all
+  Poor,           // the best one agrees badly
+  LittleSeen,     // too little of the maps lies in both
+  Ambiguous,      // another one is about as good
+  Slides,         // it can be moved along a corridor and fits as well
+  Mirrored,       // it fits better when one map is mirrored
+  PairsDisagree,  // points by hand that no rigid transform brings together
+};
+
+struct Alignment {
+  std::optional<Candidate> best, second;
+  Agreement agreement;  // of the best
+  Doubt doubt = Doubt::NoOverlap;
+  /// Of each pair by hand, metres: for three and more what is left when the others decide.
+  std::vector<double> pair_residuals_m;
+  bool sure() const { return doubt == Doubt::None; }
+  bool operator==(const Alignment&) const = default;
+};
+
+struct Options {
+  /// None: by the walls alone. One decides between candidates. Two or more decide alone.
+  std::vector<placing::PointPair> pairs = {};
+  std::shared_ptr<work::Workers> workers = {};    // null: a pool of its own
+  std::function<bool(double done)> proceed = {};  // 0..1, on the caller's thread; false cancels
+};
+
+/// Blocks; not on a thread of the pool. nullopt: cancelled. Takes about 40 bytes for each cell of both plans.
+std::optional<Alignment> alignPlans(const Plan& old_map, const Plan& new_map, const Options& options = {});
+
+/// How well a transform agrees.
+Agreement agreementOf(const Plan& old_map, const Plan& new_map, const geometry::Pose2& transform);
+
+}  // namespace mapwright::align

@@ -1,0 +1,80 @@
+#include "align/alignment_sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace mapwright::align {
+namespace {
+
+struct AlignmentText {
+  Q_DECLARE_TR_FUNCTIONS(AlignmentText)
+};
+
+QString figure(double value, int digits) { return QLocale::c().toString(value, 'f', digits); }
+QString percent(double share) { return figure(share * 100, 0); }
+
+QString pairHint() {
+  return AlignmentText::tr("Give one point that is on both maps; it decides between the candidates.");
+}
+
+/// Why nothing is chosen; empty when something is.
+QString doubtText(const Alignment& alignment) {
+  switch (alignment.doubt) {
+    case Doubt::None:
+      return {};
+    case Doubt::NoWalls:
+      return AlignmentText::tr("One of the maps has no walls, so there is nothing to align by.");
+    case Doubt::NoOverlap:
+      return alignment.pair_residuals_m.empty()
+                 ? AlignmentText::tr(
+                       "The walls of these maps fit nowhere: they seem to be of different places.")
+                 : AlignmentText::tr("With that pair of points the walls fit nowhere. Check the points.");
+    case Doubt::Poor:
+      return AlignmentText::tr(
+          "The walls do not agree well enough anywhere: the maps may be of different "
+          "places. Two points that are on both maps align them by hand.");
+    case Doubt::LittleSeen:
+      return AlignmentText::tr(
+          "Too little of the maps overlaps to be sure. Two points that are on both maps "
+          "align them by hand.");
+    case Doubt::Ambiguous:
+      return AlignmentText::tr("The maps fit in more than one way, about equally well. %1").arg(pairHint());
+    case Doubt::Slides:
+      return AlignmentText::tr(
+                 "The maps can be moved against each other and still fit, as along a corridor. "
+                 "%1")
+          .arg(pairHint());
+    case Doubt::Mirrored:
+      return AlignmentText::tr("One of the maps seems to be mirrored, or they are of different places.");
+    case Doubt::PairsDisagree:
+      return AlignmentText::tr(
+          "The pairs of points contradict each other: the distances between them are not "
+          "the same on both maps.");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString transformText(const geometry::Pose2& transform) {
+  return AlignmentText::tr("x %1 m, y %2 m, turned by %3°")
+      .arg(figure(transform.x_m, 3), figure(transform.y_m, 3),
+           figure(geometry::degreesFromRadians(transform.yaw_rad), 2));
+}
+
+QString alignmentText(const Alignment& alignment) {
+  if (!alignment.sure()) return AlignmentText::tr("Not sure. %1").arg(doubtText(alignment));
+  const QString share = percent(alignment.agreement.forward.within_10cm);
+  if (alignment.pair_residuals_m.size() > 1) {
+    return AlignmentText::tr(
+               "Aligned by the pairs of points. %1 % of the old map's walls have a wall of the new "
+               "map within 10 cm.")
+        .arg(share);
+  }
+  return AlignmentText::tr(
+             "Sure: the maps fit in one way only. %1 % of the old map's walls have a wall of the new map "
+             "within 10 cm.")
+      .arg(share);
+}
+
+}  // namespace mapwright::align

@@ -1,0 +1,285 @@
+// Two maps of one site are brought together, or it is said that this is not sure: never both wrong and sure.
+// MAPWRIGHT_TEST_SEEDS asks for more random sites, MAPWRIGHT_TEST_MAPS for real ones (pictures of 5 cm a
+// cell, separated by colons); the counts are printed (docs/measured.md).
+#include <QtTest>
+
+#include "align/align.h"
+#include "align/plan_of.h"
+#include "buildings.h"
+#include "grids/grid_pyramid.h"
+#include "test_program.h"
+
+namespace test_alignment {
+
+using namespace mapwright;
+using namespace mapwright::testing;
+using align::Alignment;
+using align::Doubt;
+using placing::PointPair;
+
+namespace {
+
+/// Two maps, and where the second one really lies.
+struct Case {
+  Plan old_map, new_map;
+  bool findable = true;  // a person would be sure
+  bool one_site = true;  // `truth` says where; otherwise nothing is right
+};
+
+/// What happened between the two mappings.
+struct Kind {
+  const char* name;
+  std::function<Case(const Plan& site, Chance& chance)> make;
+  double resolution_m = 0.05;
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"turned and moved",
+       [](const Plan& site, Chance&) {
+         return Case{site, site};
+       }},
+      {"cropped to 40 %",
+       [](const Plan& site, Chance& chance) {
+         return Case{site, cropped(site, chance, 0.4)};
+       }},
+      {"both cropped to 70 %",
+       [](const Plan& site, Chance& chance) {
+         return Case{cropped(site, chance, 0.7), cropped(site, chance, 0.7)};
+       }},
+      {"noise",
+       [](const Plan& site, Chance& chance) {
+         return Case{noisy(site, chance, 0.2, 0.002), noisy(site, chance, 0.3, 0.005)};
+       }},
+      {"furniture moved",
+       [](const Plan& site, Chance& chance) {
+         return Case{furnished(site, chance, 15), furnished(site, chance, 15)};
+       }},
+      {"cells of 2 cm",
+       [](const Plan& site, Chance&) {
+         return Case{site, site};
+       },
+       0.02},
+      {"cells of 10 cm",
+       [](const Plan& site, Chance&) {
+         return Case{site, site};
+       },
+       0.1},
+      {"all of it",
+       [](const Plan& site, Chance& chance) {
+         return Case{noisy(furnished(site, chance, 8), chance, 0.15, 0.002),
+                     noisy(cropped(furnished(site, chance, 8), chance, 0.6), chance, 0.15, 0.002)};
+       },
+       0.1},
+      {"mirrored",
+       [](const Plan& site, Chance&) {
+         return Case{site, mirrored(site), false, false};
+       }},
+      {"symmetric",
+       [](const Plan& site, Chance&) {
+         return Case{symmetric(site), symmetric(site), false, false};
+       }},
+      {"another site",
+       [](const Plan& site, Chance& chance) {
+         return Case{site, furnished(building(chance), chance, 12), false, false};
+       }},
+      {"a corridor",
+       [](const Plan&, Chance& chance) {
+         return Case{noisy(corridor(30), chance, 0.1, 0.002),
+                     cropped(noisy(corridor(30), chance, 0.1, 0.002), chance, 0.7), false, false};
+       }},
+      {"almost no overlap",
+       [](const Plan& site, Chance&) {
+         Case made{site, site, false};
+         fill(made.old_map, made.old_map.width / 2 + 10, 0, made.old_map.width, made.old_map.height,
+              Ground::Unknown);
+         fill(made.new_map, 0, 0, made.new_map.width / 2 - 10, made.new_map.height, Ground::Unknown);
+         return made;
+       }},
+  };
+  return all;
+}
+
+Pose2 somewhere(Chance& chance) {
+  return {chance.between(-60, 60), chance.between(-60, 60), chance.between(-3.14, 3.14)};
+}
+
+/// Within 5 cm in the middle of the map and 0.3 degrees.
+bool right(const Pose2& found, const Pose2& truth, const Plan& map) {
+  const Eigen::Vector2d middle =
+      map.corner_m + 0.5 * map.resolution_m * Eigen::Vector2d(map.width, map.height);
+  return (found.apply(middle) - truth.apply(middle)).norm() <= 0.05 &&
+         std::abs(geometry::normalizeAngle(found.yaw_rad - truth.yaw_rad)) <=
+             geometry::radiansFromDegrees(0.3);
+}
+
+Plan realMap(const QString& path) {
+  const auto reading = grids::openGridFile(path.toStdString(), {});
+  const std::atomic<bool> cancelled = false;
+  if (!reading || (*reading)->read(cancelled, [] {})) return {};
+  const auto cells = (*reading)->pyramid();
+  const render::PlacedGrid placed{cells, {cells->width(), cells->height(), 0.05, {}}};
+  return align::trimmed(align::seenOnly(*align::planOf(placed, 0.05), 0.3));
+}
+
+/// Sites with furniture of their own; real ones if asked for.
+std::vector<Plan> sites() {
+  std::vector<Plan> all;
+  for (const QString& path :
+       qEnvironmentVariable("MAPWRIGHT_TEST_MAPS").split(QLatin1Char(':'), Qt::SkipEmptyParts))
+    all.push_back(realMap(path));
+  if (!all.empty()) return all;
+  const unsigned seeds = 1 + unsigned(qEnvironmentVariableIntValue("MAPWRIGHT_TEST_SEEDS"));
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    Chance chance(seed);
+    const Plan plain = building(chance);
+    all.push_back(furnished(plain, chance, 12));
+  }
+  return all;
+}
+
+/// A small site whose halves look alike after half a turn, and where it really lies.
+struct TwoWays {
+  Plan site, again;
+  Pose2 truth{7, -3, 1.2};
+  TwoWays() {
+    Chance chance(5);
+    site = symmetric(furnished(building(chance), chance, 8));
+    again = mappedAgain(site, truth, 0.05);
+  }
+};
+
+PointPair pairAt(const Plan& site, const Pose2& truth, double x_share, double y_share, double off_m = 0) {
+  const Eigen::Vector2d at =
+      site.corner_m + site.resolution_m * Eigen::Vector2d(x_share * site.width, y_share * site.height);
+  return {at, truth.apply(at) + Eigen::Vector2d(off_m, 0)};
+}
+
+}  // namespace
+
+class TestAlignment : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void whatIsSureIsRight_data() {
+    QTest::addColumn<int>("kind");
+    for (std::size_t i = 0; i < kinds().size(); ++i) QTest::newRow(kinds()[i].name) << int(i);
+  }
+
+  void whatIsSureIsRight() {
+    QFETCH(int, kind);
+    const Kind& what = kinds()[std::size_t(kind)];
+    int cases = 0, sure = 0, wrong = 0, expected = 0;
+    for (const Plan& site : sites()) {
+      Chance chance(unsigned(1000 * kind + cases));
+      Case made = what.make(site, chance);
+      const Pose2 truth = somewhere(chance);
+      const Plan again = mappedAgain(made.new_map, truth, what.resolution_m);
+      const Alignment found = *align::alignPlans(made.old_map, again);
+      const bool fits = found.best && made.one_site && right(found.best->transform, truth, made.old_map);
+      ++cases;
+      sure += found.sure();
+      wrong += found.sure() && !fits;
+      expected += made.findable;
+    }
+    qInfo("%s: %d cases, %d sure, %d sure and wrong", what.name, cases, sure, wrong);
+    QCOMPARE(wrong, 0);
+    // Nine of ten where a person would be sure.
+    QVERIFY(10 * sure >= 9 * expected);
+  }
+
+  void onePairDecidesBetweenTwoWays() {
+    const TwoWays two;
+    const Alignment alone = *align::alignPlans(two.site, two.again);
+    QCOMPARE(alone.doubt, Doubt::Ambiguous);
+    QVERIFY(alone.second.has_value());
+    const Alignment decided =
+        *align::alignPlans(two.site, two.again, {.pairs = {pairAt(two.site, two.truth, 0.2, 0.3, 0.2)}});
+    QCOMPARE(decided.doubt, Doubt::None);
+    QVERIFY(right(decided.best->transform, two.truth, two.site));
+    QCOMPARE(decided.pair_residuals_m.size(), std::size_t(1));
+    QVERIFY(std::abs(decided.pair_residuals_m.front() - 0.2) < 0.03);
+  }
+
+  void aPairWhereNothingFitsIsSaid() {
+    const TwoWays two;
+    PointPair elsewhere = pairAt(two.site, two.truth, 0.2, 0.3);
+    elsewhere.in_world_m += Eigen::Vector2d(300, 0);
+    const Alignment found = *align::alignPlans(two.site, two.again, {.pairs = {elsewhere}});
+    QVERIFY(!found.sure());
+  }
+
+  void twoPairsAreAResultOfTheirOwn() {
+    const TwoWays two;
+    const Alignment found = *align::alignPlans(
+        two.site, two.again,
+        {.pairs = {pairAt(two.site, two.truth, 0.1, 0.1), pairAt(two.site, two.truth, 0.9, 0.8)}});
+    QVERIFY(found.sure());
+    QVERIFY(right(found.best->transform, two.truth, two.site));
+    QVERIFY(found.agreement.forward.within_10cm > 0.9);
+  }
+
+  void ofThreePairsTheWorstOneIsSeen() {
+    const TwoWays two;
+    const Alignment found = *align::alignPlans(
+        two.site, two.again,
+        {.pairs = {pairAt(two.site, two.truth, 0.1, 0.1), pairAt(two.site, two.truth, 0.9, 0.1),
+                   pairAt(two.site, two.truth, 0.5, 0.9), pairAt(two.site, two.truth, 0.4, 0.5, 0.4)}});
+    QCOMPARE(found.pair_residuals_m.size(), std::size_t(4));
+    QCOMPARE(std::max_element(found.pair_residuals_m.begin(), found.pair_residuals_m.end()),
+             found.pair_residuals_m.begin() + 3);
+    QVERIFY(std::abs(found.pair_residuals_m[3] - 0.4) < 1e-6);
+  }
+
+  void pairsThatContradictEachOtherAreRefused() {
+    const TwoWays two;
+    PointPair close = pairAt(two.site, two.truth, 0.9, 0.8);
+    close.in_world_m = pairAt(two.site, two.truth, 0.5, 0.5).in_world_m;
+    const Alignment found =
+        *align::alignPlans(two.site, two.again, {.pairs = {pairAt(two.site, two.truth, 0.1, 0.1), close}});
+    QCOMPARE(found.doubt, Doubt::PairsDisagree);
+  }
+
+  void aMapWithoutWallsIsSaid() {
+    Plan open = corridor(5);
+    fill(open, 0, 0, open.width, open.height, Ground::Free);
+    QCOMPARE(align::alignPlans(open, corridor(5))->doubt, Doubt::NoWalls);
+    QCOMPARE(align::alignPlans(corridor(5), Plan{})->doubt, Doubt::NoWalls);
+    QVERIFY(!align::alignPlans(Plan{}, Plan{}, {.pairs = {{}, {}}})->best->score);
+  }
+
+  void itCanBeCancelled() {
+    const TwoWays two;
+    int asked = 0;
+    QVERIFY(!align::alignPlans(two.site, two.again, {.proceed = [&](double) { return ++asked < 3; }}));
+    QCOMPARE(asked, 3);
+  }
+
+  void progressOnlyGrows() {
+    double last = 0;
+    QVERIFY(align::alignPlans(corridor(6), corridor(6), {.proceed = [&](double done) {
+                                const bool grows = done >= last && done <= 1;
+                                last = done;
+                                return grows;
+                              }}));
+    QCOMPARE(last, 1.0);
+  }
+
+  void agreementIsMeasuredBothWays() {
+    Chance chance(3);
+    const Plan site = building(chance), part = cropped(site, chance, 0.4);
+    const align::Agreement agreement = align::agreementOf(site, part, {});
+    QCOMPARE(agreement.overlap, 1.0);
+    QCOMPARE(agreement.backward.within_10cm, 1.0);
+    QCOMPARE(agreement.backward.seen_share, 1.0);
+    QVERIFY(agreement.forward.seen_share < 0.7);
+    const align::Agreement shifted = align::agreementOf(site, site, {0.2, 0, 0});
+    QVERIFY(shifted.forward.within_10cm < 0.8);
+    QVERIFY(std::abs(shifted.forward.p95_m - 0.2) < 0.03);
+  }
+};
+
+}  // namespace test_alignment
+
+MAPWRIGHT_TEST(test_alignment, TestAlignment, Core)
+#include "test_alignment.moc"
