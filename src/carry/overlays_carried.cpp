@@ -1,0 +1,131 @@
+#include "carry/overlays_carried.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include "overlays/overlay_check.h"
+#include "overlays/overlay_edits.h"
+#include "overlays/overlay_reach.h"
+#include "overlays/overlay_shapes.h"
+
+namespace mapwright::carry {
+namespace {
+
+using geometry::Pose2;
+using overlays::Feature;
+using overlays::OverlayDocument;
+
+Feature movedFeature(const Feature& feature, const Pose2& transform) {
+  return overlays::movedBy(overlays::turnedAbout(feature, {0, 0}, transform.yaw_rad),
+                           {transform.x_m, transform.y_m});
+}
+
+/// What may be the id of another feature: all texts but its name, and numbers that are called ids.
+void collectReferences(const overlays::JsonValue& value, const std::string& name,
+                       std::set<std::string>& found) {
+  if (value.kind() == overlays::JsonKind::String && name != "name") found.insert(value.string());
+  const bool called_id = name.ends_with("Id") || name.ends_with("Ids") || name.ends_with("_id");
+  if (value.kind() == overlays::JsonKind::Number && called_id) found.emplace(value.text());
+  for (const overlays::JsonValue& child : value.children())
+    collectReferences(child, value.isObject() ? child.key() : name, found);
+}
+
+/// Groups of features that refer to each other: the first index of its group for each.
+std::vector<std::size_t> groupsOf(const OverlayDocument& document) {
+  std::map<std::string, std::size_t> of_id;
+  for (std::size_t i = 0; i < document.features().size(); ++i) {
+    if (const std::string id = document.features()[i].id(); !id.empty()) of_id.emplace(id, i);
+  }
+  std::vector<std::size_t> group(document.features().size());
+  std::iota(group.begin(), group.end(), std::size_t(0));
+  const auto root = [&](std::size_t i) {
+    while (group[i] != i) i = group[i];
+    return i;
+  };
+  for (std::size_t i = 0; i < document.features().size(); ++i) {
+    const auto properties = document.features()[i].root().member("properties");
+    if (!properties) continue;
+    std::set<std::string> references;
+    collectReferences(*properties, {}, references);
+    for (const std::string& reference : references) {
+      const auto other = of_id.find(reference);
+      if (other == of_id.end()) continue;
+      const std::size_t a = root(i), b = root(other->second);
+      group[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::size_t& one : group) one = root(one);
+  return group;
+}
+
+/// The worst of a group is that of all.
+int rankOf(Verdict verdict) { return sound(verdict) ? 0 : int(verdict); }
+
+}  // namespace
+
+std::vector<CarriedFeature> carriedOverlays(const Site& site, const OverlayDocument& old_overlays,
+                                            const OverlayDocument& new_overlays,
+                                            const render::PlacedGrid& new_map, const CarryOptions& options) {
+  std::set<std::string> there;
+  for (const Feature& feature : new_overlays.features()) {
+    if (!feature.id().empty()) there.insert(feature.id());
+  }
+  std::vector<CarriedFeature> all;
+  std::vector<std::size_t> at_of(old_overlays.features().size(), old_overlays.features().size());
+  for (std::size_t i = 0; i < old_overlays.features().size(); ++i) {
+    const Feature& feature = old_overlays.features()[i];
+    std::vector<Eigen::Vector2d> points;
+    for (const overlays::Path& path : overlays::shapesOf(feature).paths)
+      points.insert(points.end(), path.points.begin(), path.points.end());
+    if (points.empty()) continue;
+    Carried carried;
+    if (overlays::isDestination(feature)) {
+      carried = site.carriedStop({points.front()}, options);
+    } else {
+      carried = site.carriedShape(points, options.adjust);
+    }
+    at_of[i] = all.size();
+    Feature moved = movedFeature(feature, carried.transform);
+    if (const auto yaw = overlays::yawOf(moved)) carried.spot.yaw_rad = geometry::radiansFromDegrees(*yaw);
+    all.push_back({i, std::move(moved), carried, there.contains(feature.id())});
+  }
+  // Reached from the chargers, around walls and forbidden regions of both maps.
+  OverlayDocument together = new_overlays;
+  std::map<std::size_t, std::size_t> carried_at;
+  for (std::size_t at = 0; at < all.size(); ++at) {
+    if (all[at].there_already || !sound(all[at].carried.verdict)) continue;
+    carried_at[together.features().size()] = at;
+    together.add(all[at].moved);
+  }
+  const placing::PlacedMap below{new_map.cells, new_map.reference, false};
+  for (const std::size_t feature : overlays::unreachable(together, below, options.radius_m)) {
+    if (const auto at = carried_at.find(feature); at != carried_at.end())
+      all[at->second].carried.verdict = Verdict::Unreachable;
+  }
+  const std::vector<std::size_t> group = groupsOf(old_overlays);
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (at_of[i] < all.size()) members[group[i]].push_back(i);
+  }
+  for (const auto& [first, indices] : members) {
+    if (indices.size() < 2) continue;
+    Verdict worst = Verdict::Kept;
+    for (const std::size_t i : indices) {
+      const Verdict one = all[at_of[i]].carried.verdict;
+      if (rankOf(one) > rankOf(worst)) worst = one;
+    }
+    for (const std::size_t i : indices) {
+      CarriedFeature& one = all[at_of[i]];
+      if (!sound(worst)) one.carried.verdict = worst;
+      for (const std::size_t other : indices) {
+        if (other != i) one.with.push_back(other);
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace mapwright::carry

@@ -1,0 +1,113 @@
+// Overlays of an old map on a new one: what belongs together goes together.
+#include <QtTest>
+
+#include "carry/overlays_carried.h"
+#include "overlays/overlay_shapes.h"
+#include "site.h"
+#include "test_program.h"
+
+namespace test_overlays_carried {
+
+using namespace mapwright;
+using namespace mapwright::testing;
+using carry::CarriedFeature;
+using carry::Verdict;
+using overlays::OverlayDocument;
+
+namespace {
+
+std::string feature(const std::string& head, const std::string& kind, const std::string& coordinates,
+                    const std::string& properties) {
+  return "{\"type\":\"Feature\"," + head + "\"geometry\":{\"type\":\"" + kind +
+         "\",\"coordinates\":" + coordinates + "},\"properties\":" + properties + "}";
+}
+
+std::string positionAt(const Eigen::Vector2d& at) {
+  return '[' + std::to_string(at.x()) + ',' + std::to_string(at.y()) + ']';
+}
+
+std::string point(const std::string& id, double x, double y, const std::string& properties) {
+  return feature("\"id\":\"" + id + "\",", "Point", positionAt({x, y}), properties);
+}
+
+OverlayDocument documentOf(const std::vector<std::string>& features) {
+  std::string list;
+  for (const std::string& one : features) list += (list.empty() ? "" : ",") + one;
+  return *OverlayDocument::read("{\"type\":\"FeatureCollection\",\"features\":[" + list + "]}");
+}
+
+const std::string kCharger = point("c1", 1.5, 2, R"({"type":9,"yaw":"90","dockingPointId":"d1"})");
+const std::string kDock = point("d1", 2.5, 2, R"({"type":36,"yaw":0})");
+const std::string kTable = point("t1", 18, 5, R"({"type":11,"name":"Table","yaw":180})");
+const std::string kWall = feature("", "LineString", "[[2,7,0.5],[4,8]]", R"({"lineType":"2","kept":[1.50]})");
+
+std::vector<CarriedFeature> carriedTo(const TwoMaps& maps, const OverlayDocument& old_overlays,
+                                      const OverlayDocument& new_overlays = {}) {
+  return carry::carriedOverlays(maps.site(), old_overlays, new_overlays, maps.newGrid(), {});
+}
+
+}  // namespace
+
+class TestOverlaysCarried : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void shapesAndHeadingsTurnAndAllElseStays() {
+    const auto all = carriedTo({}, documentOf({kCharger, kDock, kTable, kWall}));
+    QCOMPARE(all.size(), std::size_t(4));
+    for (const CarriedFeature& one : all) QCOMPARE(one.carried.verdict, Verdict::Kept);
+    const double turned = geometry::degreesFromRadians(kTruth.yaw_rad);
+    QVERIFY(std::abs(*overlays::yawOf(all[1].moved) - turned) < 0.01);
+    QCOMPARE(*all[1].carried.spot.yaw_rad, geometry::radiansFromDegrees(*overlays::yawOf(all[1].moved)));
+    const auto wall = overlays::shapesOf(all[3].moved).paths.front().points;
+    QVERIFY((wall[0] - kTruth.apply({2, 7})).norm() < 1e-3);
+    QVERIFY((wall[1] - kTruth.apply({4, 8})).norm() < 1e-3);
+    QVERIFY(all[3].moved.text().find(R"("kept":[1.50])") != std::string::npos);
+    QVERIFY(all[3].moved.text().find(",0.5]") != std::string::npos);  // its height
+  }
+
+  void aChargerAndItsDockingPointGoTogetherOrNotAtAll() {
+    TwoMaps maps;
+    box(maps.new_map, 2.3, 1.8, 2.8, 2.2);
+    const auto all = carriedTo(maps, documentOf({kCharger, kDock, kWall}));
+    QCOMPARE(all[0].carried.verdict, Verdict::InObstacle);
+    QCOMPARE(all[1].carried.verdict, Verdict::InObstacle);
+    QCOMPARE(all[0].with, std::vector<std::size_t>{1});
+    QCOMPARE(all[1].with, std::vector<std::size_t>{0});
+    QCOMPARE(all[2].carried.verdict, Verdict::Kept);
+    QVERIFY(all[2].with.empty());
+  }
+
+  void aNameThatIsTheIdOfAnotherIsNoReference() {
+    const auto all = carriedTo({}, documentOf({kDock, point("x", 3, 3, R"({"type":11,"name":"d1"})")}));
+    QVERIFY(all[0].with.empty() && all[1].with.empty());
+  }
+
+  void whatTheNewMapHasAlreadyIsSaid() {
+    const auto all =
+        carriedTo({}, documentOf({kDock, kTable}), documentOf({point("t1", 0, 0, R"({"type":11})")}));
+    QVERIFY(!all[0].there_already);
+    QVERIFY(all[1].there_already);
+  }
+
+  void aTableBehindAForbiddenRegionOfTheNewMapIsUnreachable() {
+    std::string ring;
+    for (const auto& corner : std::vector<Eigen::Vector2d>{{13, 0}, {13.5, 0}, {13.5, 10}, {13, 10}, {13, 0}})
+      ring += (ring.empty() ? "" : ",") + positionAt(kTruth.apply(corner));
+    const std::string region = feature("", "Polygon", "[[" + ring + "]]", R"({"regionType":1})");
+    const auto all = carriedTo({}, documentOf({kCharger, kDock, kTable}), documentOf({region}));
+    QCOMPARE(all[2].carried.verdict, Verdict::Unreachable);
+    QCOMPARE(all[0].carried.verdict, Verdict::Kept);
+  }
+
+  void whatHasNoPlaceIsLeftOut() {
+    const auto all = carriedTo({}, documentOf({feature("", "Point", "[]", "{}"), kDock}));
+    QCOMPARE(all.size(), std::size_t(1));
+    QCOMPARE(all[0].feature, std::size_t(1));
+  }
+};
+
+}  // namespace test_overlays_carried
+
+MAPWRIGHT_TEST(test_overlays_carried, TestOverlaysCarried, Core)
+#include "test_overlays_carried.moc"
