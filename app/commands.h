@@ -123,6 +123,9 @@ void addPoses(Commands& commands, CLI::App& maps);
 /// Subcommands of `maps`: whole maps on their way.
 void addMapTransfers(Commands& commands, CLI::App& maps);
 void addProjections(Commands& commands);
+/// Below `waypoints` or `overlays`.
+enum class CarriedKind { Waypoints, Overlays };
+void addCarry(Commands& commands, CLI::App& parent, CarriedKind kind);
 void addWaypoints(Commands& commands);
 void addOverlays(Commands& commands);
 void addBags(Commands& commands);

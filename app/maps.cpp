@@ -1,6 +1,7 @@
 // `mapwright maps …`: the maps of a robot or a folder, exports, differences and changes
 // (docs/command-line.md).
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,7 +16,9 @@
 #include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/map_diff.h"
+#include "app/map_operand.h"
 #include "app/map_request.h"
+#include "app/maps_align.h"
 #include "app/output.h"
 #include "app/robot_command.h"
 #include "app/robot_factory.h"
@@ -145,56 +148,9 @@ QStringList rowOf(const map::CatalogueEntry& row, bool file_names) {
   return cells << words::plainName(row.name);
 }
 
-/// NaN when it is no number.
-double resolutionOf(const MapsArguments& args) {
-  bool ok = false;
-  const double value = text(args.resolution).toDouble(&ok);
-  return args.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
-}
-
-/// Whether an operand of `diff` is a file or address of its own, not a map of `robot`.
-bool standsAlone(const QString& operand, const QString& robot) {
-  if (operand.contains(QLatin1Char('/')) || knownAddresses().isAddress(operand)) return true;
-  // An address, refused because of the part before its @: maps have no such names.
-  if (robot.isEmpty() && operand.contains(QLatin1Char('@')) && !QFileInfo(operand).isFile()) return true;
-  // In a folder of maps their names are ids.
-  const auto folder = knownAddresses().parse(robot);
-  if (folder && !folder->path.isEmpty() && QFileInfo(folder->path + QLatin1Char('/') + operand).isFile()) {
-    return false;
-  }
-  const QStringList kinds{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
-                          QStringLiteral("pgm"), QStringLiteral("bmp")};
-  // A file that happens to have the name of one of the robot's maps is not that map.
-  return kinds.contains(QFileInfo(operand).suffix().toLower()) ||
-         (robot.isEmpty() && QFileInfo(operand).isFile());
-}
-
-/// Why --resolution and --origin would have no effect on what the command reads.
-std::optional<QString> noPlaceInReason(const MapsArguments& args) {
-  if (args.resolution.empty() && args.origin.empty()) return std::nullopt;
-  const bool diff = !args.first.empty();
-  const std::vector<std::string> operands =
-      diff ? std::vector{args.first, args.second} : std::vector{args.id};
-  std::optional<QString> why;
-  for (const std::string& operand : operands) {
-    if (operand == "submaps" && args.origin.empty()) return std::nullopt;
-    const bool other = diff && standsAlone(text(operand), text(args.robot));
-    why = noPlaceReason(text(other ? operand : args.robot), args.resolution, args.origin);
-    if (!why) return std::nullopt;
-  }
-  return why;
-}
-
 CommandResult<RobotReading*> openRobot(RobotCommand& command, const MapsArguments& args,
-                                       const QString& address,
                                        RobotReading::Purpose purpose = RobotReading::Purpose::Maps) {
-  if (const auto why = noPlaceInReason(args)) return wrong(*why);
-  if (!args.resolution.empty() && !(resolutionOf(args) > 0))
-    return wrong(
-        Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(args.resolution)));
-  // Of submaps it is the resolution of what is made of them, not of a file.
-  const std::string of_file = stateFileOf(address) ? std::string() : args.resolution;
-  return command.open(purpose, placedFile(address, of_file, args.origin));
+  return openPlaced(command, {text(args.id), text(args.robot)}, {args.resolution, args.origin}, purpose);
 }
 
 /// Its live map comes from a map dispatcher only, which can also send it whole on request.
@@ -233,7 +189,7 @@ QString withoutCurrent(RobotReading& reading) {
 }
 
 CommandResult<int> mapsList(RobotCommand& command, const MapsArguments& args) {
-  auto robot = openRobot(command, args, text(args.robot));
+  auto robot = openRobot(command, args);
   if (!robot) return passOn(robot);
   const auto rows = (*robot)->catalogue();
   if (!rows) return passOn(rows);
@@ -259,7 +215,7 @@ CommandResult<int> mapsList(RobotCommand& command, const MapsArguments& args) {
 }
 
 CommandResult<int> mapsCurrent(RobotCommand& command, const MapsArguments& args) {
-  auto robot = openRobot(command, args, text(args.robot));
+  auto robot = openRobot(command, args);
   if (!robot) return passOn(robot);
   const auto rows = (*robot)->catalogue();
   if (!rows) return passOn(rows);
@@ -274,13 +230,13 @@ CommandResult<int> mapsCurrent(RobotCommand& command, const MapsArguments& args)
 }
 
 CommandResult<int> mapsShow(RobotCommand& command, const MapsArguments& args) {
-  auto robot = openRobot(command, args, text(args.robot), purposeOf(args.id));
+  auto robot = openRobot(command, args, purposeOf(args.id));
   if (!robot) return passOn(robot);
   const bool stored = !args.id.empty() && args.id != "live" && args.id != "submaps";
   if (stored) {  // the catalogue has its dates and versions
     if (const auto rows = (*robot)->catalogue(); !rows) return passOn(rows);
   }
-  const auto placed = (*robot)->map(text(args.id), resolutionOf(args));
+  const auto placed = (*robot)->map(text(args.id), resolutionOf(args.resolution));
   if (!placed && session::lacksPicture((*robot)->session().wholeMap()))
     return showWithoutPicture(**robot, args.json);
   if (!placed) return passOn(placed);
@@ -394,11 +350,12 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
       return wrong(Text::tr("--region only works with the live map, not with %1.").arg(text(args.id)));
     region = *typed;
   }
-  auto robot = openRobot(command, args, text(args.robot), purposeOf(args.id));
+  auto robot = openRobot(command, args, purposeOf(args.id));
   if (!robot) return passOn(robot);
   // An export always means the whole map, whatever its size.
   const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
-  const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(args.id), resolutionOf(args));
+  const auto placed =
+      by_part ? (*robot)->part(region) : (*robot)->map(text(args.id), resolutionOf(args.resolution));
   if (!placed) return passOn(placed);
   const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
                                     files,
@@ -426,31 +383,12 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   if (unavailable_reason) return wrong(*unavailable_reason);
   if (const auto why = notTogetherReason({text(args.diff_picture), text(args.report), printed}))
     return sharedOutput(*why);
-  // Before the first one is read, which may take long.
-  for (const QString& operand : {text(args.first), text(args.second)}) {
-    const auto parsed = knownAddresses().parse(operand);
-    if (!parsed && standsAlone(operand, text(args.robot))) return wrong(parsed.error());
-  }
-  std::vector<std::string> sources;
-  std::vector<render::PlacedGrid> maps;
-  for (const std::string& word : {args.first, args.second}) {
-    const QString operand = text(word);
-    const bool alone = standsAlone(operand, text(args.robot));
-    // A state file has submaps, and no map besides.
-    const bool submaps = alone ? stateFileOf(operand).has_value() : word == "submaps";
-    auto robot = openRobot(command, args, alone ? operand : text(args.robot),
-                           submaps ? RobotReading::Purpose::Submaps : RobotReading::Purpose::Maps);
-    if (!robot) return passOn(robot);
-    const auto placed = (*robot)->map(submaps ? QStringLiteral("submaps")
-                                      : alone ? QString()
-                                              : operand,
-                                      resolutionOf(args));
-    if (!placed) return passOn(placed);
-    maps.push_back(*placed);
-    for (std::string& file : (*robot)->sourceFiles()) sources.push_back(std::move(file));
-  }
+  const PicturePlace place{args.resolution, args.origin};
+  const auto pair = openPair(command, args.first, args.second, text(args.robot), place);
+  if (!pair) return passOn(pair);
+  const std::array<render::PlacedGrid, 2>& maps = pair->maps;
   const QString picture = text(args.diff_picture);
-  if (const auto why = overOwnSource({picture}, sources); why && !args.force) {
+  if (const auto why = overOwnSource({picture}, pair->source_files); why && !args.force) {
     return wrong(*why);
   }
   for (const render::PlacedGrid& map : maps) {
@@ -678,6 +616,7 @@ void addMaps(Commands& commands) {
     if (one.change == MapChange::Delete)
       command->add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   }
+  addMapAlign(commands, *maps);
   addPoses(commands, *maps);
   addMapTransfers(commands, *maps);
 }

@@ -487,6 +487,7 @@ void addOverlays(Commands& commands) {
       help(Text::tr("Radius of the robot in metres; by default from its footprint, or 0.3")));
   addJson(*validate, args.json);
   addHistory(commands, *overlays, shared);
+  addCarry(commands, *overlays, CarriedKind::Overlays);
 }
 
 }  // namespace mapwright::app

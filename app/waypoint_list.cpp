@@ -142,7 +142,10 @@ tl::unexpected<CommandFailure> ListedWaypoints::failure(const map::Failure& fail
 CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::string& map, Use use) {
   const auto opened = command.open();
   if (!opened) return passOn(opened);
-  RobotReading& reading = **opened;
+  return listWaypoints(**opened, map, use);
+}
+
+CommandResult<ListedWaypoints> listWaypoints(RobotReading& reading, const std::string& map, Use use) {
   robot::Robot& robot = reading.session().robot();
   ListedWaypoints list{&reading, {}};
   if (use == Use::Changing) reading.await(robot::Capability::WaypointEditing);

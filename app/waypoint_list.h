@@ -57,6 +57,8 @@ enum class Use { Reading, Changing };
 /// Connects and reads the waypoints of the map `map` ("" = the current one). With Changing, a robot without a
 /// WaypointStore is refused.
 CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::string& map, Use use);
+/// The same of a robot that is connected.
+CommandResult<ListedWaypoints> listWaypoints(RobotReading& reading, const std::string& map, Use use);
 
 /// Finds a waypoint by its id, or by its name if only one has it.
 CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const std::string& word);

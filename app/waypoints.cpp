@@ -536,6 +536,7 @@ void addWaypoints(Commands& commands) {
         help(Text::tr("Id of a stored map (see mapwright maps list); by default the current one")));
     addWaypointOptions(one.name, *command, *args);
   }
+  addCarry(commands, *waypoints, CarriedKind::Waypoints);
 }
 
 }  // namespace mapwright::app

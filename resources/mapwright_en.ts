@@ -42,6 +42,13 @@
 <context>
     <name>CommandLine</name>
     <message numerus="yes">
+        <source>%1 overlays of the old map have no usable coordinates and were left out.</source>
+        <translation>
+            <numerusform>%1 overlay of the old map has no usable coordinates and was left out.</numerusform>
+            <numerusform>%1 overlays of the old map have no usable coordinates and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 submaps lie too far away to be compared: %2.</source>
         <translation>
             <numerusform>%1 submap lies too far away to be compared: %2.</numerusform>

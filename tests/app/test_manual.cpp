@@ -280,6 +280,7 @@ class ManualTest : public QObject {
     row("maps show", "maps show 1 --robot AXBOT --json");
     row("maps show", "maps show --robot AXBOT --json");
     row("maps diff", "maps diff map.yaml map.yaml --json");
+    row("maps align", "maps align map.yaml map.yaml --json");
     row("maps set-pose", "maps set-pose --at 1,1,0 --robot AXBOT --json");
     row("maps locate", "maps locate --robot AXBOT --json");
     row("maps download", "maps download 1 -o folder --force --robot AXBOT --json");
@@ -294,6 +295,8 @@ class ManualTest : public QObject {
     row("waypoints plan", "waypoints plan places.csv --robot map.yaml --json");
     row("waypoints plan", "waypoints move Dock --at 2,2,0 --dry-run --robot map.yaml --json");
     row("waypoints import", "waypoints import places.csv --robot map.yaml --json");
+    row("waypoints carry",
+        "waypoints carry --from map.yaml --to map.yaml --transform 0,0,0 --dry-run --json");
     row("overlays plan", "overlays plan walls.geojson --base flawed.geojson --robot map.yaml --json");
     row("overlays set", "overlays set walls.geojson --base walls.geojson --robot map.yaml --json");
     row("overlays validate", "overlays validate flawed.geojson --json");

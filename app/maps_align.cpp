@@ -1,0 +1,196 @@
+// `mapwright maps align OLD NEW`: where the same site lies on two maps of it (docs/tasks/new-map.md).
+#include "app/maps_align.h"
+
+#include <CLI/CLI.hpp>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include "align/align.h"
+#include "align/alignment_sentence.h"
+#include "align/plan_of.h"
+#include "app/command_text.h"
+#include "app/map_diff.h"
+#include "app/map_operand.h"
+#include "app/output.h"
+#include "words/decimal.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+using words::text;
+
+/// The options as typed; empty = not given.
+struct AlignArguments : RobotArguments {
+  std::string first, second;  // the old map and the new one
+  std::string resolution, origin;
+  std::vector<std::string> pairs;  // "X,Y:X,Y"
+  std::string diff_picture;
+  bool force = false;
+};
+
+tl::expected<placing::PointPair, QString> pairFrom(const std::string& typed) {
+  const QStringList points = text(typed).split(QLatin1Char(':'));
+  std::vector<double> numbers;
+  for (const QString& point : points) {
+    const auto of_point = numbersFrom(point.toStdString());
+    if (of_point && of_point->size() == 2) numbers.insert(numbers.end(), of_point->begin(), of_point->end());
+  }
+  if (points.size() != 2 || numbers.size() != 4) {
+    return tl::make_unexpected(
+        Text::tr("--pair %1: give a point of the old map and the same point of the new "
+                 "one in metres, X,Y:X,Y.")
+            .arg(text(typed)));
+  }
+  return placing::PointPair{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
+
+void addDistances(QJsonObject& json, const align::WallDistances& distances) {
+  json[QStringLiteral("walls_within_10cm")] = distances.within_10cm;
+  json[QStringLiteral("median_m")] = distances.median_m;
+  json[QStringLiteral("p95_m")] = distances.p95_m;
+  json[QStringLiteral("max_m")] = distances.max_m;
+  json[QStringLiteral("walls_compared")] = distances.seen_share;
+}
+
+/// docs/json.md, "maps align".
+QJsonObject alignmentJson(const align::Alignment& found) {
+  QJsonObject json{{QStringLiteral("sure"), found.sure()},
+                   {QStringLiteral("sentence"), align::alignmentText(found)},
+                   {QStringLiteral("transform"), QJsonValue()},
+                   {QStringLiteral("second"), QJsonValue()}};
+  if (found.best) {
+    // Nothing is chosen unless it is sure: the best candidate has a name of its own then.
+    json[found.sure() ? QStringLiteral("transform") : QStringLiteral("best")] =
+        transformJson(found.best->transform);
+    json[QStringLiteral("score")] = found.best->score;
+    json[QStringLiteral("overlap")] = found.agreement.overlap;
+    addDistances(json, found.agreement.forward);
+    QJsonObject backwards;
+    addDistances(backwards, found.agreement.backward);
+    json[QStringLiteral("backwards")] = backwards;
+  }
+  if (found.second) {
+    json[QStringLiteral("second")] =
+        QJsonObject{{QStringLiteral("transform"), transformJson(found.second->transform)},
+                    {QStringLiteral("score"), found.second->score}};
+  }
+  QJsonArray pairs;
+  for (const double residual : found.pair_residuals_m)
+    pairs << QJsonObject{{QStringLiteral("residual_m"), residual}};
+  json[QStringLiteral("pairs")] = pairs;
+  return json;
+}
+
+void addRows(std::vector<QStringList>& table, const QString& whose, const align::WallDistances& distances) {
+  table.push_back(
+      {whose,
+       Text::tr("%1 % within 10 cm, median %2 m, 95 % within %3 m, largest %4 m (%5 % compared)")
+           .arg(QString::number(distances.within_10cm * 100, 'f', 1), words::decimal(distances.median_m, 3),
+                words::decimal(distances.p95_m, 3), words::decimal(distances.max_m, 3),
+                QString::number(distances.seen_share * 100, 'f', 0))});
+}
+
+void printAlignment(const align::Alignment& found) {
+  std::vector<QStringList> table;
+  if (found.best) {
+    const auto place = [](const align::Candidate& candidate) {
+      return Text::tr("%1 (score %2)")
+          .arg(align::transformText(candidate.transform), QString::number(candidate.score, 'f', 2));
+    };
+    table.push_back({found.sure() ? Text::tr("old to new") : Text::tr("best candidate"), place(*found.best)});
+    if (found.second) table.push_back({Text::tr("second best"), place(*found.second)});
+    table.push_back(
+        {Text::tr("overlap"),
+         Text::tr("%1 % of the smaller map").arg(QString::number(found.agreement.overlap * 100, 'f', 0))});
+    addRows(table, Text::tr("walls of the old map"), found.agreement.forward);
+    addRows(table, Text::tr("walls of the new map"), found.agreement.backward);
+  }
+  for (std::size_t i = 0; i < found.pair_residuals_m.size(); ++i) {
+    table.push_back({Text::tr("pair %1").arg(i + 1),
+                     Text::tr("off by %1 m").arg(words::decimal(found.pair_residuals_m[i], 3))});
+  }
+  printTable(table);
+  printLine(align::alignmentText(found));
+}
+
+CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) {
+  const QString picture = text(args.diff_picture), printed = args.json ? QStringLiteral("-") : QString();
+  if (const auto why = picture.isEmpty() ? std::nullopt : notWritableReason(picture)) return wrong(*why);
+  if (const auto why = notTogetherReason({picture, text(args.report), printed})) return sharedOutput(*why);
+  align::Options options;
+  const auto pairs = pairsFrom(args.pairs);
+  if (!pairs) return wrong(pairs.error());
+  options.pairs = *pairs;
+  const auto pair =
+      openPair(command, args.first, args.second, text(args.robot), {args.resolution, args.origin});
+  if (!pair) return passOn(pair);
+  if (const auto why = overOwnSource({picture}, pair->source_files); why && !args.force) return wrong(*why);
+  const auto found = alignPlaced(pair->maps[0], pair->maps[1], std::move(options));
+  if (!picture.isEmpty() && found.best) {
+    const auto diff = diffMaps(align::moved(pair->maps[0], found.best->transform), pair->maps[1], picture);
+    if (!diff) return wrong(diff.error());
+  }
+  if (isStandardOutput(picture)) return found.sure() ? kDone : kIncomplete;
+  if (args.json) {
+    printJson(alignmentJson(found));
+  } else {
+    printAlignment(found);
+  }
+  return found.sure() ? kDone : kIncomplete;
+}
+
+}  // namespace
+
+align::Alignment alignPlaced(const render::PlacedGrid& old_map, const render::PlacedGrid& new_map,
+                             align::Options options) {
+  const double cell_m = align::cellsFor(old_map, new_map);
+  return *align::alignPlans(*align::planOf(old_map, cell_m), *align::planOf(new_map, cell_m), options);
+}
+
+tl::expected<std::vector<placing::PointPair>, QString> pairsFrom(const std::vector<std::string>& typed) {
+  std::vector<placing::PointPair> pairs;
+  for (const std::string& one : typed) {
+    const auto pair = pairFrom(one);
+    if (!pair) return tl::make_unexpected(pair.error());
+    pairs.push_back(*pair);
+  }
+  return pairs;
+}
+
+QJsonObject transformJson(const geometry::Pose2& transform) {
+  return {{QStringLiteral("x"), transform.x_m},
+          {QStringLiteral("y"), transform.y_m},
+          {QStringLiteral("yaw_rad"), transform.yaw_rad}};
+}
+
+void addMapAlign(Commands& commands, CLI::App& maps) {
+  const auto args = std::make_shared<AlignArguments>();
+  CLI::App* const command = addReading(
+      commands, maps, "align", Text::tr("Find out where an old map of a site lies on a new one"),
+      Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), args, mapsAlign);
+  command
+      ->add_option("old", args->first,
+                   help(Text::tr("The old map: a map of --robot, a file or address, or ID@ADDRESS")))
+      ->required();
+  command->add_option("new", args->second, help(Text::tr("The same for the new map")))->required();
+  command
+      ->add_option("--pair", args->pairs,
+                   help(Text::tr("X,Y:X,Y: a point of the old map and the same point of the new one. One "
+                                 "decides between candidates; two or more align the maps by themselves")))
+      ->allow_extra_args(false);
+  command->add_option(
+      "--resolution", args->resolution,
+      help(Text::tr("Metres per cell of a plain picture file or of submaps (default: 0.05)")));
+  command->add_option("--origin", args->origin,
+                      help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
+  command->add_option(
+      "--diff", args->diff_picture,
+      help(Text::tr("Write the old map above the new one as a PNG, with their differences; - is "
+                    "the standard output")));
+  command->add_flag("--force", args->force,
+                    help(Text::tr("Overwrite a file even if a map was read from it")));
+  addJson(*command, args->json);
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,190 @@
+// `maps align`, `waypoints carry` and `overlays carry`, as a script runs them on two maps of one building.
+#include <QTest>
+
+#include "../align/buildings.h"
+#include "program.h"
+#include "test_program.h"
+
+namespace test_new_map_commands {
+
+using namespace mapwright;
+using mapwright::testing::Chance;
+using mapwright::testing::Ground;
+using mapwright::testing::Plan;
+using mapwright::testing::Pose2;
+
+namespace {
+
+const Pose2 kTruth{4, -9, 0.7};
+
+QByteArray pictureOf(const Plan& plan) {
+  QByteArray bytes =
+      QByteArray("P5\n") + QByteArray::number(plan.width) + ' ' + QByteArray::number(plan.height) + "\n255\n";
+  for (int row = plan.height - 1; row >= 0; --row) {
+    for (int column = 0; column < plan.width; ++column) {
+      const Ground ground = plan.at(column, row);
+      bytes += ground == Ground::Wall ? char(0) : ground == Ground::Free ? char(254) : char(205);
+    }
+  }
+  return bytes;
+}
+
+QByteArray waypoint(const char* name, double x, double y) {
+  return QByteArray("{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[") +
+         QByteArray::number(x) + ',' + QByteArray::number(y) + "]},\"properties\":{\"name\":\"" + name +
+         "\",\"yaw_rad\":0.5}}";
+}
+
+}  // namespace
+
+class NewMapTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<tests::Program> program_;
+  Plan site_;
+  Eigen::Vector2d dock_{0, 0};
+
+  tests::Ended run(const QString& line) const { return program_->run(line.split(QLatin1Char(' '))); }
+  void putMap(const QByteArray& name, const Plan& plan) const {
+    program_->put((name + ".pgm").constData(), pictureOf(plan));
+    program_->put((name + ".yaml").constData(),
+                  "image: " + name + ".pgm\nresolution: " + QByteArray::number(plan.resolution_m) +
+                      "\norigin: [" + QByteArray::number(plan.corner_m.x(), 'g', 12) + ", " +
+                      QByteArray::number(plan.corner_m.y(), 'g', 12) +
+                      ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  }
+
+ private Q_SLOTS:
+  void init() {
+    program_ = std::make_unique<tests::Program>();
+    Chance chance(11);
+    const Plan plain = testing::building(chance);
+    site_ = testing::furnished(plain, chance, 10);
+    putMap("before", site_);
+    putMap("after", testing::mappedAgain(site_, kTruth, 0.05));
+    dock_ = site_.corner_m + Eigen::Vector2d(1.0, 1.0);
+    program_->put("points.geojson", "{\"type\":\"FeatureCollection\",\"features\":[" +
+                                        waypoint("Dock", dock_.x(), dock_.y()) + ',' +
+                                        waypoint("Far", dock_.x() + 500, dock_.y()) + "]}");
+    QCOMPARE(run(QStringLiteral("waypoints import points.geojson --robot before.yaml")).code, 0);
+  }
+
+  void aMapOfTheSameSiteIsFound() {
+    const tests::Ended found = run(QStringLiteral("maps align before.yaml after.yaml --json --diff d.png"));
+    QVERIFY2(found.code == 0, qPrintable(found.err + found.out));
+    const QJsonObject json = found.object();
+    QVERIFY(json[QLatin1String("sure")].toBool());
+    const QJsonObject transform = json[QLatin1String("transform")].toObject();
+    const Pose2 pose{transform[QLatin1String("x")].toDouble(), transform[QLatin1String("y")].toDouble(),
+                     transform[QLatin1String("yaw_rad")].toDouble()};
+    QVERIFY((pose.apply(dock_) - kTruth.apply(dock_)).norm() < 0.1);
+    QVERIFY(json[QLatin1String("walls_within_10cm")].toDouble() > 0.95);
+    QVERIFY(json[QLatin1String("backwards")].toObject()[QLatin1String("walls_within_10cm")].toDouble() >
+            0.95);
+    QVERIFY(program_->bytes("d.png").startsWith("\x89PNG"));
+  }
+
+  void anotherSiteIsNotSureAndNothingIsChosen() {
+    Chance chance(77);
+    const Plan plain = testing::building(chance);
+    putMap("other", testing::furnished(plain, chance, 10));
+    const tests::Ended found = run(QStringLiteral("maps align before.yaml other.yaml --json"));
+    QCOMPARE(found.code, 1);
+    QVERIFY(found.object()[QLatin1String("transform")].isNull());
+    QVERIFY(!found.object()[QLatin1String("sure")].toBool());
+    QCOMPARE(run(QStringLiteral("waypoints carry --from before.yaml --to other.yaml -o w.geojson")).code, 1);
+    QVERIFY(!QFile::exists(program_->path("w.geojson")));
+  }
+
+  void twoPairsByHandAreAResult() {
+    const auto typed = [&](const Eigen::Vector2d& at) {
+      const Eigen::Vector2d there = kTruth.apply(at);
+      return QStringLiteral(" --pair %1,%2:%3,%4").arg(at.x()).arg(at.y()).arg(there.x()).arg(there.y());
+    };
+    const tests::Ended found = run(QStringLiteral("maps align before.yaml after.yaml --json") + typed(dock_) +
+                                   typed(dock_ + Eigen::Vector2d(12, 5)));
+    QVERIFY2(found.code == 0, qPrintable(found.err));
+    QCOMPARE(found.object()[QLatin1String("pairs")].toArray().size(), 2);
+  }
+
+  void aPairThatIsNoneIsRefused_data() {
+    QTest::addColumn<QString>("pair");
+    for (const char* pair : {"1,2", "1,2:3", "1,2:3,x", "1,2,3:4", "1,2:3,4:5,6", "1,2:3,inf"})
+      QTest::newRow(pair) << QString::fromLatin1(pair);
+  }
+  void aPairThatIsNoneIsRefused() {
+    QFETCH(QString, pair);
+    const tests::Ended found = run(QStringLiteral("maps align before.yaml after.yaml --pair ") + pair);
+    QCOMPARE(found.code, 2);
+    QVERIFY2(found.err.contains(QLatin1String("X,Y:X,Y")), qPrintable(found.err));
+  }
+
+  void waypointsAreCarriedOverAndImported() {
+    const tests::Ended carried = run(QStringLiteral(
+        "waypoints carry --from before.yaml --to after.yaml -o w.geojson --report r.html --json"));
+    QVERIFY2(carried.code == 1, qPrintable(carried.err));  // one is outside
+    const QJsonArray items = carried.object()[QLatin1String("items")].toArray();
+    QCOMPARE(items.size(), 2);
+    const QJsonObject dock = items[0].toObject(), far = items[1].toObject();
+    QCOMPARE(dock[QLatin1String("verdict")].toString(), QStringLiteral("kept"));
+    QVERIFY(dock[QLatin1String("carried")].toBool());
+    QCOMPARE(far[QLatin1String("verdict")].toString(), QStringLiteral("outside"));
+    QVERIFY(!far[QLatin1String("carried")].toBool());
+    QVERIFY(program_->bytes("r.html").contains("Dock") && program_->bytes("r.html").contains("outside"));
+    QCOMPARE(run(QStringLiteral("waypoints import w.geojson --robot after.yaml")).code, 0);
+    const QJsonArray there = run(QStringLiteral("waypoints list --robot after.yaml --json")).array();
+    QCOMPARE(there.size(), 1);
+    const QJsonObject point = there[0].toObject();
+    const Eigen::Vector2d at(point[QLatin1String("x")].toDouble(), point[QLatin1String("y")].toDouble());
+    QVERIFY((at - kTruth.apply(dock_)).norm() < 0.1);
+    QVERIFY(std::abs(point[QLatin1String("yaw_rad")].toDouble() - 1.2) < 0.01);
+
+    const tests::Ended again =
+        run(QStringLiteral("waypoints carry --from before.yaml --to after.yaml --dry-run --json"));
+    QVERIFY(again.object()[QLatin1String("items")][0][QLatin1String("there_already")].toBool());
+  }
+
+  void overlaysAreCarriedOverAndSet() {
+    program_->put("before.overlays.geojson",
+                  "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"id\":\"w\","
+                  "\"geometry\":{\"type\":"
+                  "\"LineString\",\"coordinates\":[[" +
+                      QByteArray::number(dock_.x()) + ',' + QByteArray::number(dock_.y()) + "],[" +
+                      QByteArray::number(dock_.x() + 1) + ',' + QByteArray::number(dock_.y()) +
+                      "]]},\"properties\":{\"lineType\":\"2\"}}]}");
+    QCOMPARE(run(QStringLiteral("overlays get --robot after.yaml -o base.geojson")).code, 0);
+    const tests::Ended carried =
+        run(QStringLiteral("overlays carry --from before.yaml --to after.yaml -o o.geojson"));
+    QVERIFY2(carried.code == 0, qPrintable(carried.err + carried.out));
+    QCOMPARE(run(QStringLiteral("overlays set o.geojson --base base.geojson --robot after.yaml")).code, 0);
+    QVERIFY(program_->bytes("after.overlays.geojson").contains("\"lineType\":\"2\""));
+  }
+
+  void aTransformThatWasLookedAtIsUsed() {
+    const tests::Ended carried = run(QStringLiteral(
+        "waypoints carry --from before.yaml --to before.yaml --transform 1,0,0 --dry-run --json"));
+    QVERIFY2(carried.code == 0, qPrintable(carried.err));  // both are there already
+    const QJsonObject item = carried.object()[QLatin1String("items")][0].toObject();
+    QVERIFY(std::abs(item[QLatin1String("x")].toDouble() - dock_.x() - 1) < 1e-3);
+  }
+
+  void whatContradictsItselfIsRefused_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line : {"", "--dry-run -o w.geojson", "--dry-run --transform 1,2",
+                             "--dry-run --transform 1,2,3 --pair 1,2:3,4", "-o points.geojson",
+                             "-o w.geojson --report w.geojson", "--dry-run --radius x"})
+      QTest::newRow(line) << QString::fromLatin1(line);
+  }
+  void whatContradictsItselfIsRefused() {
+    QFETCH(QString, line);
+    const tests::Ended ended =
+        run((QStringLiteral("waypoints carry --from before.yaml --to after.yaml ") + line).trimmed());
+    QVERIFY2(ended.code == 2 && ended.out.isEmpty() && !ended.err.isEmpty(), qPrintable(ended.err));
+    QVERIFY(!QFile::exists(program_->path("w.geojson")));
+  }
+};
+
+}  // namespace test_new_map_commands
+
+MAPWRIGHT_TEST(test_new_map_commands, NewMapTest, Core)
+#include "test_new_map_commands.moc"
