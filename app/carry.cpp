@@ -11,6 +11,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include "align/align_placed.h"
 #include "align/alignment_sentence.h"
 #include "app/command_map.h"
 #include "app/command_text.h"
@@ -88,7 +89,7 @@ CommandResult<CarrySite> openSite(RobotCommand& command, const CarryArguments& a
                       geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]))};
     return site;
   }
-  site.alignment = alignPlaced(site.pair.maps[0], site.pair.maps[1], {.pairs = *pairs});
+  site.alignment = *align::alignPlaced(site.pair.maps[0], site.pair.maps[1], {.pairs = *pairs});
   if (!site.alignment.sure())
     return tl::make_unexpected(CommandFailure{
         kIncomplete, Text::tr("Nothing was carried over. %1").arg(align::alignmentText(site.alignment))});

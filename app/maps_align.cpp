@@ -5,7 +5,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
-#include "align/align.h"
+#include "align/align_placed.h"
 #include "align/alignment_sentence.h"
 #include "align/plan_of.h"
 #include "app/command_text.h"
@@ -82,29 +82,18 @@ QJsonObject alignmentJson(const align::Alignment& found) {
   return json;
 }
 
-void addRows(std::vector<QStringList>& table, const QString& whose, const align::WallDistances& distances) {
-  table.push_back(
-      {whose,
-       Text::tr("%1 % within 10 cm, median %2 m, 95 % within %3 m, largest %4 m (%5 % compared)")
-           .arg(QString::number(distances.within_10cm * 100, 'f', 1), words::decimal(distances.median_m, 3),
-                words::decimal(distances.p95_m, 3), words::decimal(distances.max_m, 3),
-                QString::number(distances.seen_share * 100, 'f', 0))});
-}
-
 void printAlignment(const align::Alignment& found) {
   std::vector<QStringList> table;
   if (found.best) {
     const auto place = [](const align::Candidate& candidate) {
       return Text::tr("%1 (score %2)")
-          .arg(align::transformText(candidate.transform), QString::number(candidate.score, 'f', 2));
+          .arg(align::transformText(candidate.transform), align::scoreText(candidate));
     };
     table.push_back({found.sure() ? Text::tr("old to new") : Text::tr("best candidate"), place(*found.best)});
     if (found.second) table.push_back({Text::tr("second best"), place(*found.second)});
-    table.push_back(
-        {Text::tr("overlap"),
-         Text::tr("%1 % of the smaller map").arg(QString::number(found.agreement.overlap * 100, 'f', 0))});
-    addRows(table, Text::tr("walls of the old map"), found.agreement.forward);
-    addRows(table, Text::tr("walls of the new map"), found.agreement.backward);
+    table.push_back({Text::tr("overlap"), align::overlapText(found.agreement)});
+    table.push_back({Text::tr("walls of the old map"), align::distancesText(found.agreement.forward)});
+    table.push_back({Text::tr("walls of the new map"), align::distancesText(found.agreement.backward)});
   }
   for (std::size_t i = 0; i < found.pair_residuals_m.size(); ++i) {
     table.push_back({Text::tr("pair %1").arg(i + 1),
@@ -126,7 +115,7 @@ CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) 
       openPair(command, args.first, args.second, text(args.robot), {args.resolution, args.origin});
   if (!pair) return passOn(pair);
   if (const auto why = overOwnSource({picture}, pair->source_files); why && !args.force) return wrong(*why);
-  const auto found = alignPlaced(pair->maps[0], pair->maps[1], std::move(options));
+  const align::Alignment found = *align::alignPlaced(pair->maps[0], pair->maps[1], options);
   if (!picture.isEmpty() && found.best) {
     const auto diff = diffMaps(align::moved(pair->maps[0], found.best->transform), pair->maps[1], picture);
     if (!diff) return wrong(diff.error());
@@ -141,12 +130,6 @@ CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) 
 }
 
 }  // namespace
-
-align::Alignment alignPlaced(const render::PlacedGrid& old_map, const render::PlacedGrid& new_map,
-                             align::Options options) {
-  const double cell_m = align::cellsFor(old_map, new_map);
-  return *align::alignPlans(*align::planOf(old_map, cell_m), *align::planOf(new_map, cell_m), options);
-}
 
 tl::expected<std::vector<placing::PointPair>, QString> pairsFrom(const std::vector<std::string>& typed) {
   std::vector<placing::PointPair> pairs;

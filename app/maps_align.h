@@ -1,4 +1,4 @@
-// Aligning two maps, for `maps align` and what is carried over.
+// The command `maps align`, and what it shares with those that carry things over.
 #pragma once
 
 #include <string>
@@ -6,15 +6,11 @@
 
 #include <QJsonObject>
 
-#include "align/align.h"
 #include "app/commands.h"
-#include "render/sample_grid.h"
+#include "geometry/pose.h"
+#include "placing/align.h"
 
 namespace mapwright::app {
-
-/// Blocks until it is done.
-align::Alignment alignPlaced(const render::PlacedGrid& old_map, const render::PlacedGrid& new_map,
-                             align::Options options);
 
 /// "X,Y:X,Y" of --pair. The error is a sentence.
 tl::expected<std::vector<placing::PointPair>, QString> pairsFrom(const std::vector<std::string>& typed);

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "words/decimal.h"
+
 namespace mapwright::align {
 namespace {
 
@@ -60,6 +62,19 @@ QString transformText(const geometry::Pose2& transform) {
   return AlignmentText::tr("x %1 m, y %2 m, turned by %3°")
       .arg(figure(transform.x_m, 3), figure(transform.y_m, 3),
            figure(geometry::degreesFromRadians(transform.yaw_rad), 2));
+}
+
+QString scoreText(const Candidate& candidate) { return figure(candidate.score, 2); }
+
+QString overlapText(const Agreement& agreement) {
+  return AlignmentText::tr("%1 % of the smaller map").arg(percent(agreement.overlap));
+}
+
+QString distancesText(const WallDistances& distances) {
+  return AlignmentText::tr("%1 % within 10 cm, median %2 m, 95 % within %3 m, largest %4 m (%5 % compared)")
+      .arg(figure(distances.within_10cm * 100, 1), words::decimal(distances.median_m, 3),
+           words::decimal(distances.p95_m, 3), words::decimal(distances.max_m, 3),
+           percent(distances.seen_share));
 }
 
 QString alignmentText(const Alignment& alignment) {
