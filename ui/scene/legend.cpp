@@ -16,6 +16,23 @@
 namespace mapwright::scene {
 namespace {
 
+/// Of the reference map and the map on screen.
+LegendSection referenceLegend(const Legend::Source& source) {
+  using render::Difference;
+  Legend legend(Layer::Reference, source);
+  const render::GridPalette palette = render::differencePalette(source.context.theme.dark);
+  const auto add = [&](Difference what, const QString& text) {
+    legend.addCell(text, cellColor(palette[std::size_t(what)]));
+  };
+  add(Difference::Appeared, LegendText::tr("Not on the reference map"));
+  add(Difference::Vanished, LegendText::tr("On the reference map only"));
+  add(Difference::OnlyFirst, LegendText::tr("Known on the reference map only"));
+  add(Difference::OnlySecond, LegendText::tr("Unknown on the reference map"));
+  add(Difference::SameOccupied, LegendText::tr("Occupied in both"));
+  add(Difference::SameFree, LegendText::tr("Free in both"));
+  return {LegendText::tr("Differences from the reference map"), legend.rows()};
+}
+
 LegendSection differenceLegend(const Legend::Source& source) {
   const bool earlier = source.session && source.session->comparedMap().showsEarlierState();
   using render::Difference;
@@ -160,6 +177,8 @@ std::vector<LegendSection> MapScene::legend(qreal pixel_ratio) const {
   const bool difference = compareMode() == CompareMode::Difference && items_->has_compared;
   Legend::Source source{items_->context, {}, 1, session_, color_mode_, pixel_ratio};
   if (difference) sections.push_back(differenceLegend(source));
+  if (referenceDifferences() && compareMode() == CompareMode::Off && layerVisible(Layer::Reference))
+    sections.push_back(referenceLegend(source));
   for (auto it = items_->order.rbegin(); it != items_->order.rend(); ++it) {
     const LayerSpec& spec = specOf(*it);
     if (!spec.legend || !layerVisible(*it) || (difference && hiddenByDifference(*it))) continue;

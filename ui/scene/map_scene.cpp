@@ -550,12 +550,22 @@ void MapScene::setReference(std::optional<render::PlacedGrid> placed) {
 
 void MapScene::setReferenceAbove(bool above) {
   if (above == referenceAbove()) return;
-  items_->raster.reference()->setFaint(above);
+  items_->raster.setReferenceAbove(above);
   items_->stack();
   repaintAll();
 }
 
-bool MapScene::referenceAbove() const { return items_->raster.reference()->faint(); }
+bool MapScene::referenceAbove() const { return items_->raster.referenceAbove(); }
+
+void MapScene::setReferenceDifferences(bool shown) {
+  if (shown == referenceDifferences()) return;
+  items_->raster.setReferenceDifferences(shown);
+  items_->stack();
+  repaintAll();
+  Q_EMIT layersChanged();
+}
+
+bool MapScene::referenceDifferences() const { return items_->raster.referenceDifferences(); }
 
 void MapScene::setReferenceTrouble(std::optional<MapTrouble> trouble) {
   if (!trouble && !items_->context.reference_trouble) return;

@@ -143,6 +143,9 @@ class MapScene : public QGraphicsScene {
   /// Half transparent above the others: while it is laid by hand.
   void setReferenceAbove(bool above);
   bool referenceAbove() const;
+  /// What differs between it and the whole map, in its place above the maps.
+  void setReferenceDifferences(bool shown);
+  bool referenceDifferences() const;
   /// What is wrong with it; nullopt = all is well.
   void setReferenceTrouble(std::optional<MapTrouble> trouble);
   /// More of its cells have been read.

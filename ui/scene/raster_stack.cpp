@@ -68,6 +68,7 @@ void RasterStack::setSession(session::Session* session) {
     }
   }
   session_ = session;
+  syncReference();
   for (RasterLayer* raster : {whole_, overview_, compared_, difference_})
     raster->renderer().setGrid(std::nullopt);
   for (const auto& [kind, raster] : grids_) raster->renderer().setGrid(std::nullopt);
@@ -78,10 +79,12 @@ void RasterStack::setSession(session::Session* session) {
     connect(&slot, &MapSlot::changed, this, [this, &slot, &raster] {
       syncSlot(slot, raster);
       syncDifference();
+      if (reference_differences_) syncReference();
     });
     connect(&slot, &MapSlot::rowsArrived, this, [this, &raster] {
       raster.renderer().rowsArrived();
       difference_->renderer().rowsArrived();
+      if (reference_differences_) reference_->renderer().rowsArrived();
     });
     syncSlot(slot, raster);
   };
@@ -103,9 +106,32 @@ std::optional<render::PlacedGrid> RasterStack::placedOf(const session::MapSlot& 
 }
 
 void RasterStack::setReference(std::optional<render::PlacedGrid> placed) {
-  if (placed)
-    reference_->renderer().setPalette(render::wholeMapPalette(context_.theme.map, placed->cells->code()));
-  reference_->renderer().setGrid(std::move(placed));
+  laid_ = std::move(placed);
+  syncReference();
+}
+
+void RasterStack::setReferenceAbove(bool above) {
+  reference_above_ = above;
+  syncReference();
+}
+
+void RasterStack::setReferenceDifferences(bool shown) {
+  reference_differences_ = shown;
+  syncReference();
+}
+
+void RasterStack::syncReference() {
+  render::GridRenderer& renderer = reference_->renderer();
+  const auto whole =
+      reference_differences_ && laid_ && session_ ? placedOf(session_->wholeMap()) : std::nullopt;
+  // The colours of differences say nothing when the map shines through.
+  reference_->setFaint(reference_above_ && !whole);
+  if (whole) {
+    renderer.setPalette(render::differencePalette(context_.theme.dark));
+  } else if (laid_) {
+    renderer.setPalette(render::wholeMapPalette(context_.theme.map, laid_->cells->code()));
+  }
+  renderer.setGrid(laid_, whole);
 }
 
 void RasterStack::setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells) {
@@ -114,11 +140,13 @@ void RasterStack::setEdited(const map::MapKey& map, std::shared_ptr<const grids:
   if (!session_) return;
   syncSlot(session_->wholeMap(), *whole_);
   syncDifference();
+  if (reference_differences_) syncReference();
 }
 
 void RasterStack::editedChanged(const geometry::WorldRect& where) {
   whole_->renderer().cellsChanged(where);
   difference_->renderer().cellsChanged(where);
+  if (reference_differences_) reference_->renderer().cellsChanged(where);
 }
 
 void RasterStack::syncSlot(const session::MapSlot& slot, RasterLayer& raster) {
@@ -205,7 +233,7 @@ std::optional<int> RasterStack::regionOccupancyAt(const Eigen::Vector2d& world_m
 
 void RasterStack::themeChanged() {
   for (RasterLayer* sheet : region_sheets_) sheet->renderer().setPalette(regionsPalette(context_.theme.map));
-  setReference(reference_->grid());
+  syncReference();
   if (!session_) return;
   syncSlot(session_->wholeMap(), *whole_);
   syncSlot(session_->overview(), *overview_);

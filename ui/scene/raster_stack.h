@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 
@@ -64,6 +65,12 @@ class RasterStack : public QObject {
   bool read() const;
   /// A map from elsewhere, as it was laid; it does not belong to the session. nullopt = none.
   void setReference(std::optional<render::PlacedGrid> placed);
+  /// Half transparent, above the others.
+  void setReferenceAbove(bool above);
+  bool referenceAbove() const { return reference_above_; }
+  /// What differs between it and the whole map, above both.
+  void setReferenceDifferences(bool shown);
+  bool referenceDifferences() const { return reference_differences_; }
   /// Shown instead of the cells of the whole map while that is the map `map`; null = none.
   void setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
   void editedChanged(const geometry::WorldRect& where);
@@ -81,6 +88,7 @@ class RasterStack : public QObject {
   std::optional<render::PlacedGrid> placedOf(const session::MapSlot& slot) const;
   void syncSlot(const session::MapSlot& slot, RasterLayer& raster);
   void syncDifference();
+  void syncReference();
   void syncGrid(map::GridKind kind);
 
   const LayerContext& context_;
@@ -88,6 +96,8 @@ class RasterStack : public QObject {
   RasterLayer *const reference_, *const whole_, *const overview_, *const compared_, *const difference_;
   std::map<map::GridKind, RasterLayer*> grids_;
   std::array<RasterLayer*, regions::RegionCells::kMostSheets> region_sheets_;
+  std::optional<render::PlacedGrid> laid_;  // the reference map
+  bool reference_above_ = false, reference_differences_ = false;
   map::MapKey edited_map_;
   std::shared_ptr<const grids::GridPyramid> edited_;
 };

@@ -287,7 +287,11 @@ void SceneItems::stack() {
   raster.compared()->setZValue(std::max(submaps, first(Layer::WholeMap).zValue()) + 1);
   raster.difference()->setZValue(raster.compared()->zValue() + 1);
   highlight->setZValue(first(Layer::Ids).zValue() + 1);
-  if (raster.reference()->faint()) raster.reference()->setZValue(z + 5);
+  if (raster.referenceDifferences()) {
+    raster.reference()->setZValue(raster.difference()->zValue() + 1);
+  } else if (raster.referenceAbove()) {
+    raster.reference()->setZValue(z + 5);
+  }
   labels_below_->setZValue(z += 10);
   for (LayerItem* item : {stale, static_cast<LayerItem*>(mark), measure}) item->setZValue(z += 10);
   labels_above_->setZValue(z += 10);
@@ -330,6 +334,7 @@ void SceneItems::applyVisibility() {
     submaps.setVisible(swiping && submaps_left);
     // Regions are on neither side of a comparison.
     for (LayerItem* item : itemsOf(Layer::Regions)) item->setVisible(false);
+    if (raster.referenceDifferences()) raster.reference()->setVisible(false);
   }
   raster.compared()->setVisible(swiping && second);
   raster.difference()->setVisible(difference);
