@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QCheckBox>
 #include <QCryptographicHash>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,6 +11,7 @@
 #include <QPushButton>
 #include <QUndoCommand>
 
+#include "align/alignment_sentence.h"
 #include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -86,7 +88,8 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
       read_(std::move(read)),
       dock_(new ReferenceDock(&context.window)),
       tool_(new ReferenceTool(&context.scene, this)),
-      slot_({}, {context.workers, nullptr}) {
+      slot_({}, {context.workers, nullptr}),
+      run_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 70, .menu_rank = 36, .open = false});
   context_.actions.add({.id = "referenceMap",
                         .text = tr("Re&ference map…"),
@@ -96,7 +99,17 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
                         .menu = {MenuGroup::WholeMap, 20}},
                        this, [this] {
                          context_.panels.open(dock_);
-                         if (address_.isEmpty()) choose();
+                         if (address_.isEmpty()) choose(false);
+                       });
+  context_.actions.add({.id = "alignMap",
+                        .text = tr("Ali&gn with another map…"),
+                        .icon = "layers",
+                        .tip = tr("Find out where another map lies on the one on screen, and lay it there"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::WholeMap, 25}},
+                       this, [this] {
+                         context_.panels.open(dock_);
+                         choose(true);
                        });
   tool_action_ = context_.actions.add({.id = "referenceTool",
                                        .text = tr("Move the refere&nce map"),
@@ -126,7 +139,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
     pairs.push_back(pair);
     setPairs(tr("add a pair of points"), std::move(pairs));
   });
-  connect(dock_, &ReferenceDock::chooseWanted, this, &ReferenceController::choose);
+  connect(dock_, &ReferenceDock::chooseWanted, this, [this] { choose(false); });
   connect(dock_, &ReferenceDock::removeWanted, this, &ReferenceController::removeMap);
   connect(dock_, &ReferenceDock::moveWanted, this, [this](bool on) { useTool(on, false); });
   connect(dock_, &ReferenceDock::pairsWanted, this, [this](bool on) { useTool(on, true); });
@@ -143,6 +156,12 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
     pairs.erase(pairs.begin() + index);
     setPairs(tr("remove a pair of points"), std::move(pairs));
   });
+  connect(dock_, &ReferenceDock::alignWanted, this, &ReferenceController::align);
+  connect(dock_, &ReferenceDock::alignCancelled, this, &ReferenceController::forgetAlignment);
+  connect(dock_, &ReferenceDock::candidateWanted, this, &ReferenceController::layCandidate);
+  connect(dock_, &ReferenceDock::differencesWanted, this, &ReferenceController::syncDifferences);
+  connect(&run_, &AlignmentRun::progressed, dock_, &ReferenceDock::setProgress);
+  connect(&run_, &AlignmentRun::finished, this, &ReferenceController::onAligned);
   connect(&slot_, &session::MapSlot::changed, this, &ReferenceController::show);
   connect(&slot_, &session::MapSlot::rowsArrived, this, [this] { context_.scene.referenceRowsArrived(); });
 }
@@ -156,7 +175,11 @@ void ReferenceController::setSession(session::Session* session) {
   connect(session, &session::Session::liveChanged, this, [this](int what) {
     if (what == map::topicIndex<map::MapInfo>()) onCurrentMapChanged();
   });
-  connect(&session->wholeMap(), &session::MapSlot::changed, this, &ReferenceController::onCurrentMapChanged);
+  connect(&session->wholeMap(), &session::MapSlot::changed, this, [this] {
+    onCurrentMapChanged();
+    checkAlignment();
+    syncDifferences();
+  });
   onCurrentMapChanged();
 }
 
@@ -202,21 +225,25 @@ void ReferenceController::remember() {
                              QString::fromUtf8(QJsonDocument(all).toJson(QJsonDocument::Compact)));
 }
 
-void ReferenceController::choose() {
+void ReferenceController::choose(bool align) {
   const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Choose a reference map"),
                                                     lastMapFolder(context_.settings),
                                                     tr("Maps (*.yaml *.yml *.png *.pgm *.bmp)"));
   if (path.isEmpty()) return;
   rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
   if (isBarePicture(path)) {
-    placing_.place(path, tr("Lay it"), [this](const QString& address) { lay(address); });
+    placing_.place(path, align ? tr("Align") : tr("Lay it"),
+                   [this, align](const QString& address) { lay(address, align); });
   } else {
-    lay(fileAddress(path));
+    lay(fileAddress(path), align);
   }
 }
 
-void ReferenceController::lay(const QString& address) {
-  if (address == address_) return;
+void ReferenceController::lay(const QString& address, bool align) {
+  if (address == address_) {
+    if (align) this->align();
+    return;
+  }
   // What is laid stays until another map is there.
   auto reader = read_(address);
   robot::WholeMapSource* const source = reader && *reader ? (*reader)->wholeMapSource() : nullptr;
@@ -224,7 +251,7 @@ void ReferenceController::lay(const QString& address) {
     return context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is not a map file.") : reader.error());
   coming_ = std::move(*reader);
   coming_->connectToRobot();
-  source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
+  source->fetch({map::MapKind::File, {}}, [this, address, align](robot::Outcome<map::WholeMap> answer) {
     if (!answer) return showFailure(answer.error());
     onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
     address_ = address;
@@ -232,6 +259,7 @@ void ReferenceController::lay(const QString& address) {
     slot_.clear();
     slot_.show(std::move(*answer));
     remember();
+    if (align) this->align();
   });
 }
 
@@ -248,6 +276,7 @@ void ReferenceController::onLaid(const QJsonObject& laid) {
   const QJsonArray pose = laid.value(QLatin1String("pose")).toArray();
   laid_ = {};
   forgetSteps();
+  forgetAlignment();
   if (pose.size() == 3) laid_.pose = {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble()};
   for (const QJsonValue& each : laid.value(QLatin1String("pairs")).toArray()) {
     const auto pair = pairFrom(each.toArray());
@@ -262,6 +291,7 @@ void ReferenceController::removeMap() {
 
 void ReferenceController::load(const QString& address) {
   forgetSteps();
+  forgetAlignment();
   address_ = address;
   reader_.reset();
   coming_.reset();
@@ -318,6 +348,8 @@ void ReferenceController::show() {
   tool_->setState(slot_.reference(), laid_.pose, laid_.pairs);
   allow(tool_action_, there, tr("There is no reference map."));
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
+  checkAlignment();
+  syncDifferences();
 }
 
 void ReferenceController::setLaid(Laid laid) {
@@ -335,6 +367,123 @@ void ReferenceController::setPairs(const QString& what, std::vector<placing::Poi
   if (pairs.size() > kMostPairs) return;
   const geometry::Pose2 pose = placing::alignedBy(pairs, laid_.pose);
   change(what, {pose, std::move(pairs)});
+}
+
+std::optional<ReferenceController::Aligned> ReferenceController::alignable() const {
+  const session::Session* const session = context_.current.session();
+  if (!session || !slot_.cells() || !session->wholeMap().cells()) return std::nullopt;
+  const session::MapSlot& whole = session->wholeMap();
+  return Aligned{
+      {slot_.cells(), slot_.reference()}, {whole.cells(), whole.reference()}, whole.shown().key, laid_.pairs};
+}
+
+void ReferenceController::align() {
+  forgetAlignment();
+  if (laid_.pairs.size() > 1) {
+    return say(
+        tr("The pairs of points align the map by themselves: press Fit again. To align it by the walls, "
+           "remove all pairs but one."));
+  }
+  align_next_ = true;
+  checkAlignment();
+}
+
+void ReferenceController::checkAlignment() {
+  const std::optional<Aligned> now = alignable();
+  const session::Session* const session = context_.current.session();
+  if (align_next_ && now && slot_.settled() && session->wholeMap().settled()) {
+    align_next_ = false;
+    aligned_ = now;
+    pose_before_ = laid_.pose;
+    dock_->setProgress(0);
+    run_.start(now->reference, now->map, now->pairs);
+  } else if (align_next_) {
+    if (session && session->wholeMap().settled() && !session->wholeMap().cells()) {
+      align_next_ = false;
+      said_ = tr(
+          "There is no whole map on screen to align with. Open one first. Submaps can be exported as a map.");
+    }
+  } else if (aligned_ && !(now && now->sameAs(*aligned_))) {
+    forgetAlignment();
+    said_ = tr("One of the maps, or a point, is not the same any more. Align again.");
+  } else if (run_.running() && laid_.pose != pose_before_) {
+    forgetAlignment();
+    said_ = tr("The reference map was moved meanwhile. Align again.");
+  }
+  showAlignment();
+}
+
+void ReferenceController::onAligned(const align::Alignment& found) {
+  found_ = found;
+  if (found.sure()) change(tr("align the reference map"), {found.best->transform, laid_.pairs});
+  showAlignment();
+}
+
+void ReferenceController::layCandidate(bool second) {
+  const auto& candidate = second ? found_->second : found_->best;
+  if (candidate) {
+    change(second ? tr("show the second best place") : tr("show the best place"),
+           {candidate->transform, laid_.pairs});
+  }
+}
+
+void ReferenceController::say(const QString& sentence) {
+  said_ = sentence;
+  showAlignment();
+}
+
+void ReferenceController::showAlignment() {
+  AlignmentShown shown{.running = run_.running(), .said = said_};
+  if (run_.running()) {
+    shown.said = tr("Looking for the place by the walls…");
+  } else if (align_next_) {
+    shown.said = tr("Waiting until both maps are read…");
+  } else if (found_) {
+    const auto lies = [&](const std::optional<align::Candidate>& at) {
+      return at && laid_.pose == at->transform;
+    };
+    const auto scored = [](const QString& which, const align::Candidate& candidate) {
+      return tr("%1: score %2").arg(which, align::scoreText(candidate));
+    };
+    shown.best_laid = lies(found_->best);
+    shown.second_laid = lies(found_->second);
+    shown.offers = !found_->sure() && found_->best;
+    shown.has_second = found_->second.has_value();
+    const bool as_found = shown.best_laid || (!found_->sure() && laid_.pose == pose_before_);
+    shown.said = as_found || shown.second_laid ? align::alignmentText(*found_)
+                                               : tr("The reference map was moved since it was aligned.");
+    if (const auto now = alignable(); now && !(now->map == aligned_->map))
+      shown.said = tr("The map on screen has changed since then. As it was: %1").arg(shown.said);
+    QStringList figures;
+    if (shown.offers) {
+      figures << scored(tr("Best candidate"), *found_->best);
+      if (found_->second) figures << scored(tr("Second best"), *found_->second);
+    }
+    if (as_found && found_->best) {
+      figures << tr("Overlap: %1").arg(align::overlapText(found_->agreement))
+              << tr("Walls of the reference map: %1").arg(align::distancesText(found_->agreement.forward))
+              << tr("Walls of the map on screen: %1").arg(align::distancesText(found_->agreement.backward));
+    }
+    shown.figures = figures.join(QLatin1Char('\n'));
+  }
+  dock_->setAlignment(shown);
+}
+
+void ReferenceController::forgetAlignment() {
+  run_.cancel();
+  align_next_ = false;
+  aligned_.reset();
+  found_.reset();
+  say({});
+}
+
+void ReferenceController::syncDifferences() {
+  const session::Session* const session = context_.current.session();
+  const bool there = slot_.cells() != nullptr, whole = session && session->wholeMap().cells();
+  dock_->setWhyNoDifferences(!there   ? tr("There is no reference map.")
+                             : !whole ? tr("There is no whole map on screen.")
+                                      : QString());
+  context_.scene.setReferenceDifferences(there && whole && dock_->differencesBox()->isChecked());
 }
 
 /// Of another map, or of one that is gone.

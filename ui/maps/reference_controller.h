@@ -12,11 +12,14 @@
 #include <QUndoStack>
 #include <tl/expected.hpp>
 
+#include "align/align.h"
 #include "placing/align.h"
+#include "render/sample_grid.h"
 #include "robot/robot.h"
 #include "session/map_slot.h"
 #include "session/session.h"
 #include "ui/kit/controller.h"
+#include "ui/maps/alignment_run.h"
 #include "ui/maps/map_files.h"
 #include "ui/shell/window_context.h"
 
@@ -38,7 +41,9 @@ class ReferenceController : public Controller {
 
   ReferenceDock* dock() const { return dock_; }
   /// Lays the map at this address ("file:/maps/a.yaml").
-  void lay(const QString& address);
+  void lay(const QString& address) { lay(address, false); }
+  /// The same, and aligns it with the map on screen.
+  void alignWith(const QString& address) { lay(address, true); }
   void removeMap();
   const geometry::Pose2& pose() const { return laid_.pose; }
 
@@ -52,8 +57,30 @@ class ReferenceController : public Controller {
     bool operator==(const Laid&) const = default;
   };
   class Step;
+  /// What an alignment is about.
+  struct Aligned {
+    render::PlacedGrid reference, map;
+    map::MapKey map_key;
+    std::vector<placing::PointPair> pairs;
+    /// It still is, although the map on screen may have changed.
+    bool sameAs(const Aligned& other) const {
+      return reference == other.reference && map_key == other.map_key && pairs == other.pairs;
+    }
+  };
 
-  void choose();
+  void choose(bool align);
+  void lay(const QString& address, bool align);
+  /// As soon as both maps are read.
+  void align();
+  void onAligned(const align::Alignment& found);
+  void layCandidate(bool second);
+  std::optional<Aligned> alignable() const;
+  void say(const QString& sentence);
+  /// Starts what waits, and ends what does not hold any more.
+  void checkAlignment();
+  void showAlignment();
+  void forgetAlignment();
+  void syncDifferences();
   /// One step that can be undone. `drag`: steps with the same number are one; 0 = a step of its own.
   void change(const QString& what, Laid laid, int drag = 0);
   void setPairs(const QString& what, std::vector<placing::PointPair> pairs);
@@ -84,6 +111,12 @@ class ReferenceController : public Controller {
   QUndoStack steps_;
   QPointer<QUndoStack> other_steps_;  // what Ctrl+Z was about before
   int drag_ = 0;
+  bool align_next_ = false;         // when both maps are read
+  std::optional<Aligned> aligned_;  // what is being aligned, or was
+  geometry::Pose2 pose_before_;     // how the map lay then
+  std::optional<align::Alignment> found_;
+  QString said_;  // instead of a result
+  AlignmentRun run_;
 };
 
 }  // namespace mapwright::window

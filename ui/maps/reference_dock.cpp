@@ -1,9 +1,14 @@
 #include "ui/maps/reference_dock.h"
 
+#include <cmath>
+
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QStandardItemModel>
@@ -11,11 +16,14 @@
 
 #include "scene/lengths.h"
 #include "sentences/plural.h"
+#include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/kit/wrapping_row.h"
 
 namespace mapwright::window {
 
@@ -28,9 +36,23 @@ ReferenceDock::ReferenceDock(QWidget* parent)
       move_(compactButton(tr("Move"), this, tr("Drag the reference map; with Shift turn it"))),
       pair_(compactButton(tr("Add points"), this,
                           tr("Click a point of the reference map, then where it really is"))),
+      align_(compactButton(tr("Align"), this,
+                           tr("Find out by the walls where the reference map lies on the map on screen. "
+                              "It is laid there only if that is sure."))),
       fit_(compactButton(tr("Fit again"), this, tr("Fit the map to its pairs of points again"))),
       remove_pair_(compactButton(tr("Remove point"), this)),
       clear_(compactButton(tr("Remove all"), this)),
+      running_(new QWidget(this)),
+      progress_(new QProgressBar(running_)),
+      cancel_(compactButton(tr("Cancel"), running_)),
+      said_(textLabel(QString(), this)),
+      figures_(textLabel(QString(), this)),
+      candidates_(new QWidget(this)),
+      best_(compactButton(tr("Show the best candidate"), candidates_,
+                          tr("Lay the reference map there to look at it"))),
+      second_(compactButton(tr("Show the second best"), candidates_,
+                            tr("Lay the reference map there to look at it"))),
+      differences_(new QCheckBox(tr("Differences"), this)),
       model_(new QStandardItemModel(0, 3, this)),
       table_(new QuietTableView(this)) {
   setObjectName(QStringLiteral("reference"));
@@ -53,6 +75,16 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   table_->horizontalHeader()->setHighlightSections(false);
   table_->installEventFilter(this);
   for (QPushButton* const button : {move_, pair_}) button->setCheckable(true);
+  makeLine(*progress_);
+  progress_->setAccessibleName(tr("Progress"));
+  running_->setLayout(rowOf({{progress_, 1}, cancel_}, 8, QMargins()));
+  setTextColor(*figures_, appColors().secondary_text);
+  auto* const candidates = new WrappingRow(QMargins());
+  candidates->add(best_);
+  candidates->add(second_);
+  candidates_->setLayout(candidates);
+  auto* const tools = new WrappingRow(QMargins(), 8);
+  for (QPushButton* const button : {move_, pair_, align_}) tools->add(button);
   auto* const body = new QWidget(this);
   auto* const form = new QFormLayout;
   form->addRow(tr("&x"), x_);
@@ -60,7 +92,12 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   form->addRow(tr("&Turned by"), yaw_);
   body->setLayout(columnOf({map_,
                             rowOf({choose_, remove_, LayoutItem::rest()}, 8),
-                            rowOf({move_, pair_, LayoutItem::rest()}, 8),
+                            tools,
+                            running_,
+                            said_,
+                            candidates_,
+                            figures_,
+                            differences_,
                             form,
                             {table_, 1},
                             told_,
@@ -71,6 +108,11 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(remove_, &QPushButton::clicked, this, &ReferenceDock::removeWanted);
   connect(move_, &QPushButton::clicked, this, &ReferenceDock::moveWanted);
   connect(pair_, &QPushButton::clicked, this, &ReferenceDock::pairsWanted);
+  connect(align_, &QPushButton::clicked, this, &ReferenceDock::alignWanted);
+  connect(cancel_, &QPushButton::clicked, this, &ReferenceDock::alignCancelled);
+  connect(best_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(false); });
+  connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
+  connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
   connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
   connect(fit_, &QPushButton::clicked, this, &ReferenceDock::fitWanted);
   connect(clear_, &QPushButton::clicked, this, &ReferenceDock::pairsUnwanted);
@@ -78,6 +120,8 @@ ReferenceDock::ReferenceDock(QWidget* parent)
           [this] { remove_pair_->setEnabled(table_->selectionModel()->hasSelection()); });
   setMap(tr("No reference map"), false);
   setState({}, {});
+  setAlignment({});
+  setWhyNoDifferences(tr("There is no reference map."));
 }
 
 ReferenceDock::~ReferenceDock() {
@@ -87,7 +131,7 @@ ReferenceDock::~ReferenceDock() {
 
 void ReferenceDock::setMap(const QString& said, bool there) {
   map_->setText(said);
-  for (QWidget* const of_map : std::initializer_list<QWidget*>{remove_, move_, pair_, x_, y_, yaw_})
+  for (QWidget* const of_map : std::initializer_list<QWidget*>{remove_, move_, pair_, align_, x_, y_, yaw_})
     of_map->setEnabled(there);
 }
 
@@ -124,7 +168,34 @@ void ReferenceDock::setTool(bool moving, bool pairing) {
   pair_->setChecked(pairing);
 }
 
+void ReferenceDock::setAlignment(const AlignmentShown& shown) {
+  running_->setVisible(shown.running);
+  progress_->setVisible(shown.running);
+  said_->setText(shown.said);
+  said_->setVisible(!shown.said.isEmpty());
+  figures_->setText(shown.figures);
+  figures_->setVisible(!shown.figures.isEmpty());
+  candidates_->setVisible(shown.offers);
+  second_->setVisible(shown.has_second);
+  best_->setEnabled(!shown.best_laid);
+  second_->setEnabled(!shown.second_laid);
+}
+
+void ReferenceDock::setProgress(double done) {
+  progress_->setValue(int(std::lround(done * progress_->maximum())));
+}
+
+void ReferenceDock::setWhyNoDifferences(const QString& why) {
+  differences_->setEnabled(why.isEmpty());
+  differences_->setToolTip(
+      why.isEmpty() ? tr("Show what differs between the reference map and the map on screen: red is not on "
+                         "the reference map, blue is only there")
+                    : why);
+}
+
 QString ReferenceDock::told() const { return told_->text(); }
+QString ReferenceDock::alignmentSaid() const { return said_->text(); }
+QString ReferenceDock::alignmentFigures() const { return figures_->text(); }
 
 void ReferenceDock::applyTyped() {
   if (setting_) return;

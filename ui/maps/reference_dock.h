@@ -4,11 +4,15 @@
 #include <vector>
 
 #include <QDockWidget>
+#include <QString>
 
 #include "geometry/pose.h"
 #include "placing/align.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
 class QPushButton;
 class QStandardItemModel;
 class QTableView;
@@ -16,6 +20,14 @@ class QTableView;
 namespace mapwright::window {
 
 class PlainLabel;
+
+/// What the dock says about aligning by the walls.
+struct AlignmentShown {
+  bool running = false;
+  QString said, figures;  // empty = nothing
+  bool offers = false;    // candidates to look at
+  bool best_laid = false, second_laid = false, has_second = false;
+};
 
 class ReferenceDock : public QDockWidget {
   Q_OBJECT
@@ -28,15 +40,27 @@ class ReferenceDock : public QDockWidget {
   /// Shows how it lies, without telling.
   void setState(const geometry::Pose2& world_from_map, const std::vector<placing::PointPair>& pairs);
   void setTool(bool moving, bool pairing);
+  void setAlignment(const AlignmentShown& shown);
+  void setProgress(double done);
+  /// Empty: differences can be shown.
+  void setWhyNoDifferences(const QString& why);
 
   QPushButton* removeButton() const { return remove_; }
   QPushButton* moveButton() const { return move_; }
   QPushButton* pairsButton() const { return pair_; }
+  QPushButton* alignButton() const { return align_; }
+  QPushButton* cancelButton() const { return cancel_; }
+  QPushButton* bestButton() const { return best_; }
+  QPushButton* secondButton() const { return second_; }
+  QCheckBox* differencesBox() const { return differences_; }
   QTableView* table() const { return table_; }
   QDoubleSpinBox* xBox() const { return x_; }
   QDoubleSpinBox* yBox() const { return y_; }
   QDoubleSpinBox* yawBox() const { return yaw_; }
   QString told() const;
+  /// About aligning: the sentence, and the figures.
+  QString alignmentSaid() const;
+  QString alignmentFigures() const;
 
  Q_SIGNALS:
   void chooseWanted();
@@ -47,6 +71,10 @@ class ReferenceDock : public QDockWidget {
   void pairUnwanted(int index);
   void pairsUnwanted();
   void fitWanted();
+  void alignWanted();
+  void alignCancelled();
+  void candidateWanted(bool second);
+  void differencesWanted(bool shown);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,7 +84,14 @@ class ReferenceDock : public QDockWidget {
   void removeSelected();
 
   PlainLabel *map_, *told_;
-  QPushButton *choose_, *remove_, *move_, *pair_, *fit_, *remove_pair_, *clear_;
+  QPushButton *choose_, *remove_, *move_, *pair_, *align_, *fit_, *remove_pair_, *clear_;
+  QWidget* running_;  // the progress, and what ends it
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QLabel *said_, *figures_;
+  QWidget* candidates_;
+  QPushButton *best_, *second_;
+  QCheckBox* differences_;
   QDoubleSpinBox *x_, *y_, *yaw_;
   QStandardItemModel* model_;
   QTableView* table_;
