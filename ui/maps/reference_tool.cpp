@@ -1,6 +1,21 @@
 #include "ui/maps/reference_tool.h"
 
+#include <utility>
+
 namespace mapwright::window {
+namespace {
+
+constexpr int kFarTimes = 10;  // with Shift
+constexpr double kTurn_deg = 0.1;
+
+/// Turned around a point that stays where it is.
+geometry::Pose2 turnedAround(const Eigen::Vector2d& pivot_m, const geometry::Pose2& pose, double by_rad) {
+  const Eigen::Vector2d at_m =
+      pivot_m + geometry::Pose2{0, 0, by_rad}.apply(Eigen::Vector2d(pose.x_m, pose.y_m) - pivot_m);
+  return {at_m.x(), at_m.y(), geometry::normalizeAngle(pose.yaw_rad + by_rad)};
+}
+
+}  // namespace
 
 void ReferenceTool::setState(const map::GridReference& grid, const geometry::Pose2& world_from_map,
                              const std::vector<placing::PointPair>& pairs) {
@@ -20,10 +35,48 @@ void ReferenceTool::setPairing(bool pairing) {
 void ReferenceTool::deactivate() {
   first_m_.reset();
   cursor_m_.reset();
+  nudging_ = false;
   DragTool::deactivate();
 }
 
+std::optional<geometry::Pose2> ReferenceTool::nudged(const MapKeyPress& press) const {
+  if (pairing_ || press.modifiers & (Qt::ControlModifier | Qt::AltModifier)) return std::nullopt;
+  const int times = press.modifiers & Qt::ShiftModifier ? kFarTimes : 1;
+  switch (press.key) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down: {
+      const Eigen::Vector2d by = arrowStep(scene().view(), press.key) * grid_.resolution_m * times;
+      return geometry::Pose2{pose_.x_m + by.x(), pose_.y_m + by.y(), pose_.yaw_rad};
+    }
+    case Qt::Key_BracketLeft:
+    case Qt::Key_BracketRight:
+    case Qt::Key_BraceLeft:
+    case Qt::Key_BraceRight: {
+      // Counter-clockwise on the left, as the keys that turn the view.
+      const bool left = press.key == Qt::Key_BracketLeft || press.key == Qt::Key_BraceLeft;
+      const double by_rad = geometry::radiansFromDegrees(kTurn_deg * times);
+      return turnedAround(scene().view().center_m, pose_, left ? by_rad : -by_rad);
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+bool ReferenceTool::claims(const MapKeyPress& press) const { return nudged(press).has_value(); }
+
+bool ReferenceTool::keyPressed(const MapKeyPress& press) {
+  const auto to = nudged(press);
+  if (!to) return DragTool::keyPressed(press);
+  if (hold()) return true;
+  if (!std::exchange(nudging_, true)) Q_EMIT taken();
+  Q_EMIT moved(*to);
+  return true;
+}
+
 bool ReferenceTool::grab(const MapPoint&) {
+  nudging_ = false;
   if (pairing_) return false;
   Q_EMIT taken();
   before_ = pose_;
@@ -40,10 +93,7 @@ void ReferenceTool::update(const MapPoint& at) {
   }
   if (from.world_m == pivot_m_ || at.world_m == pivot_m_) return;
   const double by_rad = turnAround(pivot_m_, from.world_m, at.world_m);
-  // The middle of the view stays where it is.
-  const Eigen::Vector2d at_m =
-      pivot_m_ + geometry::Pose2{0, 0, by_rad}.apply(Eigen::Vector2d(before_.x_m, before_.y_m) - pivot_m_);
-  Q_EMIT moved({at_m.x(), at_m.y(), geometry::normalizeAngle(before_.yaw_rad + by_rad)});
+  Q_EMIT moved(turnedAround(pivot_m_, before_, by_rad));
 }
 
 void ReferenceTool::cancel() {
@@ -99,7 +149,9 @@ void ReferenceTool::paint(QPainter& painter) {
 QString ReferenceTool::hint() const {
   if (!pairing_)
     return tr(
-        "Drag to move the reference map, Shift+drag to turn it around the middle of the view. Esc leaves.");
+        "Drag or use the arrows to move the reference map, Shift+drag or [ and ] to turn it around the "
+        "middle "
+        "of the view. Esc leaves.");
   if (first_m_) return tr("Click where this point is on the robot's map. Esc takes it back.");
   return tr("Click a point of the reference map, then where it is on the robot's map. Esc leaves.");
 }

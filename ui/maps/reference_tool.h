@@ -26,12 +26,14 @@ class ReferenceTool : public DragTool {
   QString name() const override { return QStringLiteral("reference"); }
   QCursor cursor() const override { return pairing_ ? Qt::CrossCursor : Qt::SizeAllCursor; }
   void deactivate() override;
+  bool claims(const MapKeyPress& press) const override;
+  bool keyPressed(const MapKeyPress& press) override;
   void hovered(const MapPoint& at) override;
   void paint(QPainter& painter) override;
   QString hint() const override;
 
  Q_SIGNALS:
-  /// A drag begins: what moves it until the next one is one step.
+  /// A drag or a run of keys begins: what moves it until the next one is one step.
   void taken();
   /// While it is dragged; the last one counts.
   void moved(const mapwright::geometry::Pose2& world_from_map);
@@ -44,6 +46,8 @@ class ReferenceTool : public DragTool {
   void cancel() override;
   void click(const MapPoint& at) override;
   bool stepBack() override;
+  /// By an arrow or a bracket; nullopt: another key.
+  std::optional<geometry::Pose2> nudged(const MapKeyPress& press) const;
   /// Of the cells, as a hand can hit them.
   bool isOnMap(const Eigen::Vector2d& world_m) const;
 
@@ -51,6 +55,7 @@ class ReferenceTool : public DragTool {
   geometry::Pose2 pose_;
   std::vector<placing::PointPair> pairs_;
   bool pairing_ = false;
+  bool nudging_ = false;                    // the last step was one of keys
   geometry::Pose2 before_;                  // the drag
   Eigen::Vector2d pivot_m_{0, 0};           // where the middle of the view was then
   std::optional<Eigen::Vector2d> first_m_;  // of a pair: on the reference map, where it lies now
