@@ -1,10 +1,15 @@
-// A map file under what a robot shows: laid by hand, by numbers, by pairs of points, and remembered.
+// A map file under what a robot shows: laid by hand, by numbers, by pairs of points, by its walls, and
+// remembered.
+#include <array>
+
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTableView>
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/maps/reference_controller.h"
 #include "ui/maps/reference_dock.h"
 #include "ui/view/map_overlay.h"
@@ -24,9 +29,91 @@ namespace {
 
 const QString kFile = QStringLiteral("file:/maps/plan.yaml");
 
+/// Free ground and walls, row by row from the top: 16 x 12 m.
+struct Site {
+  static constexpr double kCell_m = 0.05;
+  int width = 320, height = 240;
+  std::string cells = std::string(std::size_t(width) * std::size_t(height), char(254));
+
+  void wall(int left, int top, int right, int bottom) {
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x) cells[std::size_t(y * width + x)] = 0;
+  }
+  /// Half a turn looks the same, a mirror image does not.
+  static Site halves() {
+    Site site = room();
+    for (const auto& [left, top, right, bottom] :
+         {std::array{110, 0, 113, 95}, {40, 180, 70, 200}, {20, 30, 32, 75}, {113, 60, 140, 63}}) {
+      site.wall(left, top, right, bottom);
+      site.wall(320 - right, 240 - bottom, 320 - left, 240 - top);
+    }
+    return site;
+  }
+  static Site room() {
+    Site site;
+    site.wall(0, 0, 320, 3);
+    site.wall(0, 237, 320, 240);
+    site.wall(0, 0, 3, 240);
+    site.wall(317, 0, 320, 240);
+    return site;
+  }
+  static Site rooms() {
+    Site site = room();
+    site.wall(110, 0, 113, 95);
+    site.wall(110, 125, 113, 240);
+    site.wall(110, 150, 230, 153);
+    site.wall(250, 60, 320, 63);
+    site.wall(200, 0, 203, 40);
+    site.wall(40, 180, 70, 200);
+    site.wall(150, 60, 165, 90);
+    site.wall(270, 200, 290, 215);
+    site.wall(20, 30, 32, 75);
+    return site;
+  }
+  /// By a quarter, counter-clockwise around its lower left corner, then 12 m to the right: it is back where
+  /// it was with {0, 12, -90 degrees}.
+  Site turned() const {
+    Site out;
+    out.width = height;
+    out.height = width;
+    for (int y = 0; y < out.height; ++y)
+      for (int x = 0; x < out.width; ++x)
+        out.cells[std::size_t(y * out.width + x)] = cells[std::size_t(x * width + (width - 1 - y))];
+    return out;
+  }
+  map::WholeMap map(const map::MapKey& key) const {
+    map::WholeMap made = test::wholeMap(key, "Map", 1, 1);
+    made.bytes = std::make_shared<const std::string>("P5\n" + std::to_string(width) + " " +
+                                                     std::to_string(height) + "\n255\n" + cells);
+    return made;
+  }
+};
+
+const geometry::Pose2 kTurnedBack{0, 12, -geometry::radiansFromDegrees(90)};
+
 struct ReferenceBench : Bench {
   ReferenceBench() {
     prepare = [](test::FakeRobot& made) { made.has_catalogue = true; };
+  }
+  /// The robot shows `site`, and `reference` is laid.
+  MainWindow& openOn(const Site& site, const Site& reference) {
+    prepare = [&](test::FakeRobot& made) {
+      made.has_catalogue = true;
+      made.maps.entries = {test::catalogued("1", "Site"), test::catalogued("2", "Other")};
+      made.maps.pictures["1"] = site.map({map::MapKind::Stored, "1"});
+      made.maps.pictures[""] = reference.map({map::MapKind::File, {}});
+    };
+    MainWindow& opened = openOnRobot();
+    part<MapsController>(opened)->open({map::MapKind::Stored, "1"});
+    [&] { QTRY_VERIFY(window->session()->wholeMap().cells()); }();
+    lay();
+    return opened;
+  }
+  ReferenceDock* dock() { return part<ReferenceDock>(*window); }
+  /// Presses the button, and waits for the result.
+  void align() {
+    QTest::mouseClick(dock()->alignButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!dock()->cancelButton()->isVisible(), 60'000);
   }
   /// Looks at 40 x 30 m around the origin, 5 cm a pixel.
   MainWindow& openOnRobot() {
@@ -383,6 +470,155 @@ class TestWindowReference : public QObject {
     bench.key(Qt::Key_Escape);
     QVERIFY(!dock->pairsButton()->isChecked());
     QCOMPARE(dock->table()->model()->rowCount(), 0);
+  }
+
+  void isLaidWhereItsWallsAre() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms().turned());
+    bench.align();
+    QVERIFY2(near(bench.reference()->pose(), kTurnedBack, 0.02), qPrintable(bench.dock()->alignmentSaid()));
+    QVERIFY(bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")));
+    QVERIFY(bench.dock()->alignmentFigures().contains(QLatin1String("Overlap: 100 %")));
+    QVERIFY(!bench.dock()->bestButton()->isVisible());
+    // One step, and what was found is said only while the map lies there.
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(near(bench.reference()->pose(), {}, 1e-9));
+    QVERIFY(!bench.action("undo")->isEnabled());
+    QVERIFY(bench.dock()->alignmentSaid().contains(QLatin1String("was moved since")));
+    QVERIFY(bench.dock()->alignmentFigures().isEmpty());
+    bench.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")));
+  }
+
+  void nothingMovesWhereItIsNotSure() {
+    ReferenceBench bench;
+    bench.openOn(Site::halves(), Site::halves());
+    auto* const dock = bench.dock();
+    dock->xBox()->setValue(3);
+    bench.align();
+    QVERIFY2(dock->alignmentSaid().startsWith(QLatin1String("Not sure")), qPrintable(dock->alignmentSaid()));
+    QVERIFY(near(bench.reference()->pose(), {3, 0, 0}, 1e-9));
+    QVERIFY(dock->alignmentFigures().contains(QLatin1String("Second best: score ")));
+    QTest::mouseClick(dock->bestButton(), Qt::LeftButton);
+    const geometry::Pose2 best = bench.reference()->pose();
+    QVERIFY(!dock->bestButton()->isEnabled());
+    QTest::mouseClick(dock->secondButton(), Qt::LeftButton);
+    QVERIFY(!near(bench.reference()->pose(), best, 0.05));
+    QVERIFY(dock->bestButton()->isEnabled());
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(near(bench.reference()->pose(), {3, 0, 0}, 1e-9));
+  }
+
+  void onePairDecidesAndTwoNeedNoWalls() {
+    ReferenceBench bench;
+    bench.openOn(Site::halves(), Site::halves());
+    auto* const dock = bench.dock();
+    QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
+    bench.look();
+    bench.click(3, 3);
+    bench.click(3, 3);
+    bench.align();
+    QVERIFY2(dock->alignmentSaid().startsWith(QLatin1String("Sure")), qPrintable(dock->alignmentSaid()));
+    QVERIFY(near(bench.reference()->pose(), {}, 0.02));
+    bench.click(5, 3);
+    bench.click(5, 3);
+    QVERIFY(!dock->alignmentSaid().contains(QLatin1String("Sure")));
+    const geometry::Pose2 before = bench.reference()->pose();
+    bench.align();
+    QVERIFY(dock->alignmentSaid().contains(QLatin1String("Fit again")));
+    QCOMPARE(bench.reference()->pose(), before);
+  }
+
+  void whatIsMovedMeanwhileStaysWhereItIs() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms().turned());
+    auto* const dock = bench.dock();
+    QTest::mouseClick(dock->alignButton(), Qt::LeftButton);
+    QVERIFY(dock->cancelButton()->isVisible());
+    dock->xBox()->setValue(3);
+    QVERIFY(!dock->cancelButton()->isVisible());
+    QVERIFY(dock->alignmentSaid().contains(QLatin1String("moved meanwhile")));
+    QTest::mouseClick(dock->alignButton(), Qt::LeftButton);
+    QTest::mouseClick(dock->cancelButton(), Qt::LeftButton);
+    QVERIFY(dock->alignmentSaid().isEmpty());
+    QVERIFY(near(bench.reference()->pose(), {3, 0, 0}, 1e-9));
+  }
+
+  void whatWasFoundOnAnotherMapIsForgotten() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms().turned());
+    bench.align();
+    part<MapsController>(*bench.window)->open({map::MapKind::Stored, "2"});
+    QTRY_VERIFY(!bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")));
+    QVERIFY(bench.dock()->alignmentFigures().isEmpty());
+    bench.dock()->removeButton()->click();
+    QVERIFY(bench.dock()->alignmentSaid().isEmpty());
+  }
+
+  void aMapThatIsChosenToBeAlignedIs() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms().turned());
+    test::FakeRobot* const live = bench.robot;
+    bench.reference()->alignWith(QStringLiteral("file:/maps/other.yaml"));
+    bench.robot = live;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")), 60'000);
+    QVERIFY(near(bench.reference()->pose(), kTurnedBack, 0.02));
+  }
+
+  void withoutAWholeMapThereIsNothingToAlignWith() {
+    ReferenceBench bench;
+    bench.openOnRobot();
+    bench.lay();
+    bench.align();
+    QVERIFY(bench.dock()->alignmentSaid().startsWith(QLatin1String("There is no whole map")));
+    QVERIFY(!bench.dock()->differencesBox()->isEnabled());
+  }
+
+  void differencesLieAboveTheMapWhereTheyAreWanted() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOn(Site::rooms(), Site::room());
+    const auto colorAt = [&](double x_m, double y_m) {
+      return window.view()->viewport()->grab().toImage().pixelColor(bench.at(x_m, y_m));
+    };
+    const QPoint wall{112, 200};  // on the robot's map only
+    const Eigen::Vector2d at_m((wall.x() - 0.5) * Site::kCell_m, (240 - wall.y()) * Site::kCell_m);
+    QVERIFY(bench.dock()->differencesBox()->isEnabled());
+    bench.dock()->differencesBox()->click();
+    const auto isRed = [](const QColor& color) { return color.red() > color.green() + 80; };
+    QTRY_VERIFY(isRed(colorAt(at_m.x(), at_m.y())));
+    bench.dock()->differencesBox()->click();
+    QTRY_VERIFY(!isRed(colorAt(at_m.x(), at_m.y())));
+  }
+
+  void keysMoveAndTurnIt() {
+    ReferenceBench bench;
+    bench.openOnRobot();
+    bench.lay();
+    QTest::mouseClick(bench.dock()->moveButton(), Qt::LeftButton);
+    bench.look();
+    bench.window->view()->setFocus();
+    bench.key(Qt::Key_Right);
+    bench.key(Qt::Key_Up, Qt::ShiftModifier);
+    bench.key(Qt::Key_Up);
+    QVERIFY(near(bench.reference()->pose(), {0.05, 0.55, 0}, 1e-9));
+    bench.key(Qt::Key_BracketLeft);
+    bench.key(Qt::Key_BraceLeft, Qt::ShiftModifier);
+    bench.key(Qt::Key_BracketRight);
+    QVERIFY(std::abs(bench.reference()->pose().yaw_rad - geometry::radiansFromDegrees(1)) < 1e-9);
+    QCOMPARE(bench.window->mapScene()->view().rotation_rad, 0.0);
+    // One step, until the mouse is used.
+    bench.drag(bench.at(0, 0), bench.at(2, 1));
+    bench.key(Qt::Key_Left);
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(near(bench.reference()->pose(), {}, 1e-9));
+    QVERIFY(!bench.action("undo")->isEnabled());
+    // While points are added the arrows pan the view.
+    QTest::mouseClick(bench.dock()->pairsButton(), Qt::LeftButton);
+    bench.key(Qt::Key_Right);
+    QVERIFY(near(bench.reference()->pose(), {}, 1e-9));
   }
 };
 
