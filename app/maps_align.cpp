@@ -69,6 +69,14 @@ QJsonObject alignmentJson(const align::Alignment& found) {
     QJsonObject backwards;
     addDistances(backwards, found.agreement.backward);
     json[QStringLiteral("backwards")] = backwards;
+    QJsonArray places;
+    for (const align::OffSquare& square : found.agreement.off) {
+      places << QJsonObject{{QStringLiteral("x"), square.middle_m.x()},
+                            {QStringLiteral("y"), square.middle_m.y()},
+                            {QStringLiteral("median_m"), square.median_m},
+                            {QStringLiteral("walls"), qint64(square.walls)}};
+    }
+    json[QStringLiteral("places")] = places;
   }
   if (found.second) {
     json[QStringLiteral("second")] =
@@ -101,6 +109,7 @@ void printAlignment(const align::Alignment& found) {
   }
   printTable(table);
   printLine(align::alignmentText(found));
+  if (const QString off = align::offText(found.agreement); found.best && !off.isEmpty()) printLine(off);
 }
 
 CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) {

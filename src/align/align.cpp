@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include <opencv2/core.hpp>
 
@@ -85,11 +87,43 @@ double overlapOf(const Plan& old_map, const Plan& new_map, const Sheets& sheets,
                      : 0;
 }
 
+void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreement) {
+  constexpr std::size_t kFewest = 10;  // cells of walls; fewer are a speck
+  struct Square {
+    std::size_t walls = 0;
+    std::vector<double> distances;
+  };
+  std::map<std::pair<int, int>, Square> squares;
+  const Mover move(transform);
+  for (const Eigen::Vector2d& p : sheets.of_old.walls()) {
+    const Eigen::Vector2d at = move(p);
+    Square& square = squares[{int(std::floor(at.x() / kSquare_m)), int(std::floor(at.y() / kSquare_m))}];
+    ++square.walls;
+    if (const auto distance = sheets.of_new.distanceAt(at)) square.distances.push_back(distance->metres);
+  }
+  for (auto& [square, held] : squares) {
+    std::vector<double>& distances = held.distances;
+    // Of the others too little is known to tell.
+    if (distances.size() < kFewest || 2 * distances.size() < held.walls) continue;
+    ++agreement.squares;
+    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    if (*middle > kOff_m)
+      agreement.off.push_back(
+          {kSquare_m * Eigen::Vector2d(square.first + 0.5, square.second + 0.5), distances.size(), *middle});
+  }
+  std::stable_sort(agreement.off.begin(), agreement.off.end(),
+                   [](const OffSquare& a, const OffSquare& b) { return a.median_m > b.median_m; });
+}
+
 Agreement agreementOn(const Plan& old_map, const Plan& new_map, const Sheets& sheets,
                       const Pose2& transform) {
-  return {overlapOf(old_map, new_map, sheets, transform),
-          distancesOf(sheets.of_old, sheets.of_new, transform),
-          distancesOf(sheets.of_new, sheets.of_old, transform.inverse())};
+  Agreement out;
+  out.overlap = overlapOf(old_map, new_map, sheets, transform);
+  out.forward = distancesOf(sheets.of_old, sheets.of_new, transform);
+  out.backward = distancesOf(sheets.of_new, sheets.of_old, transform.inverse());
+  addSquares(sheets, transform, out);
+  return out;
 }
 
 /// The best agreement with the old map moved 0.5 to 4 m to any side: high along a corridor.

@@ -30,10 +30,24 @@ struct Candidate {
   bool operator==(const Candidate&) const = default;
 };
 
+/// A square of kSquare_m of the new map where walls of the old one are off: something was moved there, or one
+/// of the maps is bent.
+struct OffSquare {
+  Eigen::Vector2d middle_m{0, 0};
+  std::size_t walls = 0;  // cells of the old map's walls
+  double median_m = 0;    // to the nearest wall of the new map
+  bool operator==(const OffSquare&) const = default;
+};
+inline constexpr double kSquare_m = 3.0;
+/// Squares whose walls are off by less agree.
+inline constexpr double kOff_m = 0.10;
+
 struct Agreement {
   double overlap = 0;     // known cells that both know, as a share of those of the smaller map
   WallDistances forward;  // walls of the old map
   WallDistances backward;
+  std::size_t squares = 0;     // with walls of the old map that can be compared
+  std::vector<OffSquare> off;  // those of them that are off by more than kOff_m, the worst first
   bool operator==(const Agreement&) const = default;
 };
 

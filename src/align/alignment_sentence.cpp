@@ -77,6 +77,18 @@ QString distancesText(const WallDistances& distances) {
            percent(distances.seen_share));
 }
 
+QString offText(const Agreement& agreement) {
+  if (agreement.off.empty()) return {};
+  const OffSquare& worst = agreement.off.front();
+  return AlignmentText::tr(
+             "In %1 of %2 squares of %3 m the walls are off by more than %4 cm, most at (%5, %6) "
+             "of the new map: by %7 m. Something was moved there, or a map is bent.")
+      .arg(agreement.off.size())
+      .arg(agreement.squares)
+      .arg(figure(kSquare_m, 0), figure(kOff_m * 100, 0), figure(worst.middle_m.x(), 1),
+           figure(worst.middle_m.y(), 1), figure(worst.median_m, 2));
+}
+
 QString alignmentText(const Alignment& alignment) {
   if (!alignment.sure()) return AlignmentText::tr("Not sure. %1").arg(doubtText(alignment));
   const QString share = percent(alignment.agreement.forward.within_10cm);

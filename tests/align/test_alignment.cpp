@@ -273,9 +273,29 @@ class TestAlignment : public QObject {
     QCOMPARE(agreement.backward.within_10cm, 1.0);
     QCOMPARE(agreement.backward.seen_share, 1.0);
     QVERIFY(agreement.forward.seen_share < 0.7);
+    QVERIFY(agreement.squares >= 3);
     const align::Agreement shifted = align::agreementOf(site, site, {0.2, 0, 0});
     QVERIFY(shifted.forward.within_10cm < 0.8);
     QVERIFY(std::abs(shifted.forward.p95_m - 0.2) < 0.03);
+  }
+
+  void whereTheMapsDifferIsListed() {
+    Plan room;
+    room.width = room.height = 240;
+    room.resolution_m = 0.05;
+    room.cells.assign(240 * 240, Ground::Free);
+    Plan before = room, later = room;
+    for (Plan* const plan : {&before, &later}) fill(*plan, 0, 0, 239, 1, Ground::Wall);
+    fill(before, 130, 130, 150, 150, Ground::Wall);
+    fill(later, 140, 145, 160, 165, Ground::Wall);
+    const align::Agreement same = align::agreementOf(before, before, {});
+    QCOMPARE(same.squares, std::size_t(5));
+    QVERIFY(same.off.empty());
+    const align::Agreement moved = align::agreementOf(before, later, {});
+    QCOMPARE(moved.squares, std::size_t(5));
+    QCOMPARE(moved.off.size(), std::size_t(1));
+    QCOMPARE(moved.off.front().middle_m, Eigen::Vector2d(7.5, 7.5));
+    QVERIFY(moved.off.front().median_m > 0.3);
   }
 };
 

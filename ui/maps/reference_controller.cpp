@@ -433,7 +433,7 @@ void ReferenceController::say(const QString& sentence) {
 }
 
 void ReferenceController::showAlignment() {
-  AlignmentShown shown{.running = run_.running(), .said = said_};
+  AlignmentShown shown{.running = run_.running(), .said = said_, .figures = {}};
   if (run_.running()) {
     shown.said = tr("Looking for the place by the walls…");
   } else if (align_next_) {
