@@ -176,6 +176,19 @@ class LabelPlanTest : public QObject {
     QVERIFY(area.wishes[0].mark.contains(plan.labels[0].box));
   }
 
+  void whatIsChosenIsNamedBesideALineThroughItsMiddle() {
+    for (const bool upright : {false, true}) {
+      LabelTask area = task({wish(1, 300, 300, LabelRank::Chosen)});
+      area.wishes[0].position = Position::Within;
+      area.wishes[0].mark = QRectF(100, 100, 400, 400);
+      area.symbols = {upright ? QRectF(294, 100, 12, 400) : QRectF(100, 294, 400, 12)};
+      const LabelPlan plan = placeLabels(area);
+      QCOMPARE(plan.labels.size(), std::size_t(1));
+      QVERIFY(area.wishes[0].mark.contains(plan.labels[0].box));
+      QVERIFY(!plan.labels[0].box.intersects(area.symbols[0]));
+    }
+  }
+
   void labelsStayWhileTheMapIsDragged_data() {
     QTest::addColumn<QPointF>("step");
     QTest::newRow("right") << QPointF(37, 0);

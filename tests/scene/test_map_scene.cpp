@@ -230,6 +230,37 @@ class MapSceneTest : public QObject {
     }
   }
 
+  void theIdOfAHighlightedSubmapIsNotUnderTheLineOfAClosure() {
+    showOneSubmap();
+    session_->setVisible({{0, 0}}, false);
+    scene_->setView({{0.1, 0.1}, 0.001, 0, 400, 400});  // the frame has 200 pixels
+    const auto shot = [&](bool framed, bool marked) {
+      scene_->setHighlighted(framed ? std::set<map::SubmapId>{{0, 0}, {9, 9}} : std::set<map::SubmapId>());
+      std::optional<scene::MapObject> closure;
+      if (marked) {
+        closure.emplace();
+        closure->id.layer = Layer::Closures;
+        closure->form = scene::ObjectForm::Line;
+        closure->parts = {{{0.06, 0.1}, {0.14, 0.1}}};
+      }
+      scene_->setMarked(closure);
+      QImage image(400, 400, QImage::Format_RGB32);
+      QPainter painter(&image);
+      const QRectF whole(0, 0, 400, 400);
+      scene_->render(&painter, whole, whole);
+      return image;
+    };
+    const auto letters = [](const QImage& a, const QImage& b) {
+      int differ = 0;
+      for (int y = 108; y < 292; ++y)
+        for (int x = 108; x < 292; ++x) differ += a.pixel(x, y) != b.pixel(x, y);
+      return differ;
+    };
+    const int alone = letters(shot(true, false), shot(false, false));
+    QVERIFY(alone > 50);
+    QCOMPARE(letters(shot(true, true), shot(false, true)), alone);
+  }
+
   void theTopmostVisibleSubmapIsPicked() {
     robot_->say(listOf({entry(0, 1, 0.2, 0.2), entry(1, 1, 0.25, 0.25)}));
     robot_->answer(Outcome::Ok);

@@ -18,8 +18,10 @@ ClosureLook lookOf(const map::Closure& closure) {
   return closure.residual_m > kContradictsM ? Contradicts : closure.residual_m > kStrainedM ? Strained : Fits;
 }
 
-/// Those within one submap only say that scan matching worked.
-bool isDrawn(const map::Closure& closure) { return closure.kind == map::ConstraintKind::Inter; }
+/// Those within one submap only say that scan matching worked: they are drawn where a list asks for them.
+bool isDrawn(const LayerContext& context, const map::Closure& closure) {
+  return context.closures_chosen || closure.kind == map::ConstraintKind::Inter;
+}
 
 class ClosuresLayer : public LayerItem {
  public:
@@ -31,7 +33,7 @@ class ClosuresLayer : public LayerItem {
     std::array<QList<QLineF>, 3> lines;
     std::array<QList<QRectF>, 3> dots, rings;
     for (const map::Closure& closure : context_.closures->ranked) {
-      if (!isDrawn(closure)) continue;
+      if (!isDrawn(context_, closure)) continue;
       const QLineF line(toPoint(context_.view.pixelFromWorld(closure.at)),
                         toPoint(context_.view.pixelFromWorld(closure.expected)));
       if (!QRectF(line.p1(), line.p2()).normalized().adjusted(-9, -9, 9, 9).intersects(seen)) continue;
@@ -58,7 +60,7 @@ class ClosuresLayer : public LayerItem {
     geometry::WorldRect bounds;
     if (!context_.closures) return bounds;
     for (const map::Closure& closure : context_.closures->ranked) {
-      if (!isDrawn(closure)) continue;
+      if (!isDrawn(context_, closure)) continue;
       extendBy(bounds, closure.at);
       extendBy(bounds, closure.expected);
     }
@@ -74,7 +76,7 @@ void seeClosures(const LayerContext& context, FeaturesOf, const SeeObject& see) 
   std::size_t number = 0;
   for (const map::Closure& closure : context.closures->ranked) {
     const std::array line{closure.at, closure.expected};
-    if (isDrawn(closure)) seePart(see, number, ObjectForm::Line, line);
+    if (isDrawn(context, closure)) seePart(see, number, ObjectForm::Line, line);
     ++number;
   }
 }

@@ -76,6 +76,18 @@ constexpr std::array<std::array<double, 2>, 8> kAround{
 constexpr std::array<double, 3> kRingsPx{0, 14, 32};  // farther out; from the second on with a leader line
 constexpr int kBesideSpots = int(kAround.size() * kRingsPx.size());
 constexpr std::array<double, 3> kLines{0, -1, 1};  // above and below the middle
+/// Of what was chosen, within its mark: around the middle, as multiples of the size of the label.
+constexpr std::array<std::array<double, 2>, 11> kWithin{{{0, 0},
+                                                         {0, -1},
+                                                         {0, 1},
+                                                         {0, -2.5},
+                                                         {0, 2.5},
+                                                         {-1.5, 0},
+                                                         {1.5, 0},
+                                                         {-1.5, -2.5},
+                                                         {1.5, 2.5},
+                                                         {-3, 0},
+                                                         {3, 0}}};
 
 bool isBeside(const LabelWish& wish) {
   const bool fits = wish.size.width() <= wish.mark.width() && wish.size.height() <= wish.mark.height();
@@ -84,11 +96,22 @@ bool isBeside(const LabelWish& wish) {
          (wish.position == LabelWish::Position::Within && !fits && wish.rank == LabelRank::Chosen);
 }
 
-int spotsOf(const LabelWish& wish) { return isBeside(wish) ? kBesideSpots : int(kLines.size()); }
+bool isWithin(const LabelWish& wish) {
+  return wish.position == LabelWish::Position::Within && wish.rank == LabelRank::Chosen && !isBeside(wish);
+}
+
+int spotsOf(const LabelWish& wish) {
+  return isBeside(wish) ? kBesideSpots : int(isWithin(wish) ? kWithin.size() : kLines.size());
+}
 
 QRectF boxAt(const LabelWish& wish, int spot) {
   QRectF box(QPointF(0, 0), wish.size);
   const QPointF middle = wish.mark.center();
+  if (isWithin(wish)) {
+    const auto& [x, y] = kWithin[std::size_t(spot)];
+    box.moveCenter(middle + QPointF(x * (wish.size.width() + kAirPx), y * (wish.size.height() + kAirPx)));
+    return box;
+  }
   if (!isBeside(wish)) {
     box.moveCenter(middle + QPointF(0, kLines[std::size_t(spot)] * (wish.size.height() + kAirPx)));
     return box;
@@ -191,7 +214,8 @@ class Placing {
   bool fits(const LabelWish& wish, int spot, double room) const {
     const QRectF box = boxAt(wish, spot);
     if (wish.position == LabelWish::Position::Within && !isBeside(wish) &&
-        (box.top() < wish.mark.top() || box.bottom() > wish.mark.bottom() || box.width() > wish.mark.width()))
+        (box.top() < wish.mark.top() || box.bottom() > wish.mark.bottom() || box.left() < wish.mark.left() ||
+         box.right() > wish.mark.right()))
       return false;
     const QRectF roomy = box.adjusted(-room, -room, room, room);
     if (!symbols_.free(roomy) || !labels_.free(roomy)) return false;

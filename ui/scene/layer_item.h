@@ -84,6 +84,7 @@ struct LayerContext {
   std::array<MapFeatures, 3> features;     // by FeaturesOf
   Outlines outlines;
   std::set<map::SubmapId> highlighted;
+  std::optional<std::set<map::SubmapId>> outlined;  // nullopt = all
   std::unique_ptr<SubmapMarks> submap_marks = std::make_unique<SubmapMarks>();
   bool overlays_shown = true;
   std::optional<MapTrouble> reference_trouble;
@@ -93,6 +94,7 @@ struct LayerContext {
   std::optional<Eigen::Vector2d> marker;              // a place that the user went to
   std::shared_ptr<const Track> track;                 // null = none
   std::shared_ptr<const map::Closures> closures;      // null = none
+  bool closures_chosen = false;                       // by a list: all of them are drawn
   std::shared_ptr<const agreement::Tiles> agreement;  // null = none
   double agreement_cell_m = 0;                        // edge of its cells
   std::shared_ptr<clouds::CloudStore> clouds;         // never null
@@ -253,6 +255,8 @@ class MarkItem : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
   /// What paint() covers at present.
   QRectF covers() const;
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override;
 
  private:
   void paintCasing(QPainter& painter, const MapObject& object) const;

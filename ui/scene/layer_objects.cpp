@@ -175,7 +175,9 @@ std::vector<ObjectId> objectsAt(const SceneItems& items, const Eigen::Vector2d& 
         nearest = std::move(candidate);
       }
     });
-    if (nearest) candidates.push_back(std::move(*nearest));
+    if (!nearest) return;
+    nearest->id.key = things.key(items.context, of, nearest->id.number);
+    candidates.push_back(std::move(*nearest));
   });
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.rank, a.fit) < std::tie(b.rank, b.fit);

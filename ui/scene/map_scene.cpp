@@ -126,7 +126,8 @@ void MapScene::setSession(session::Session* session) {
   session_ = session;
   setPoseBetween(std::nullopt);
   setTrack(nullptr);
-  syncClosures();
+  setClosures(nullptr);
+  setOutlined(std::nullopt);
   setAgreement(nullptr, 0);
   items_->context.highlighted.clear();
   setMarked(std::nullopt);
@@ -485,6 +486,12 @@ void MapScene::setHighlighted(std::set<map::SubmapId> ids) {
   items_->highlight->update();
 }
 
+void MapScene::setOutlined(std::optional<std::set<map::SubmapId>> ids) {
+  if (ids == items_->context.outlined) return;
+  items_->context.outlined = std::move(ids);
+  for (const Layer layer : {Layer::Outlines, Layer::Ids}) items_->update(layer);
+}
+
 const std::set<map::SubmapId>& MapScene::highlighted() const { return items_->context.highlighted; }
 
 bool MapScene::highlightedAt(const Eigen::Vector2d& world_m) const {
@@ -813,8 +820,14 @@ bool MapScene::showsClouds() const {
   return layerVisible(Layer::DispatchedCloud) && !items_->context.clouds->empty();
 }
 
+void MapScene::setClosures(std::shared_ptr<const map::Closures> closures) {
+  chosen_closures_ = std::move(closures);
+  syncClosures();
+}
+
 void MapScene::syncClosures() {
-  auto now = session_ ? session_->poseGraph().closures() : nullptr;
+  items_->context.closures_chosen = chosen_closures_ != nullptr;
+  auto now = chosen_closures_ ? chosen_closures_ : session_ ? session_->poseGraph().closures() : nullptr;
   if (now == items_->context.closures) return;
   items_->context.closures = std::move(now);
   items_->update(Layer::Closures);

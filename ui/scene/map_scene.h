@@ -38,6 +38,9 @@ using Tiles = std::map<TileKey, std::shared_ptr<const Tile>>;
 namespace mapwright::clouds {
 class CloudStore;
 }
+namespace mapwright::map {
+struct Closures;
+}
 namespace mapwright::regions {
 class RegionMap;
 }
@@ -99,6 +102,9 @@ class MapScene : public QGraphicsScene {
   /// The submaps to highlight (selected in the tree): framed in the accent colour.
   void setHighlighted(std::set<map::SubmapId> ids);
   const std::set<map::SubmapId>& highlighted() const;
+  /// The layers Outlines and Ids leave out all other submaps; nullopt: they leave out none. Dropped with the
+  /// session.
+  void setOutlined(std::optional<std::set<map::SubmapId>> ids);
   bool highlightedAt(const Eigen::Vector2d& world_m) const;
   /// The topmost visible submap whose slice covers the point.
   std::optional<map::SubmapId> submapAt(const Eigen::Vector2d& world_m) const;
@@ -166,6 +172,10 @@ class MapScene : public QGraphicsScene {
 
   /// The robot's path through a whole bag; null = none. Dropped with the session.
   void setTrack(std::shared_ptr<const Track> track);
+
+  /// What the layer Closures shows instead of all loop closures of the session; null = those. Dropped with
+  /// the session.
+  void setClosures(std::shared_ptr<const map::Closures> closures);
 
   /// What the layers Disagreement and Coverage show, in cells of this edge; null = nothing. Dropped with the
   /// session.
@@ -249,6 +259,7 @@ class MapScene : public QGraphicsScene {
   std::optional<render::ColorMode> drawn_color_mode_;
   std::unique_ptr<render::TileRenderer> renderer_;
   std::unique_ptr<SceneItems> items_;
+  std::shared_ptr<const map::Closures> chosen_closures_;  // null = all loop closures
   RepaintPace pace_;
   QElapsedTimer clock_;
   QTimer repaint_timer_;  // runs while new tiles wait to be painted

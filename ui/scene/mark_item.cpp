@@ -1,4 +1,8 @@
 // The frame of the chosen object, and the marker of a place that the user went to.
+#include <array>
+
+#include <QLineF>
+
 #include "scene/drawing.h"
 #include "scene/label_ink.h"
 #include "scene/layer_item.h"
@@ -25,24 +29,36 @@ bool hasPlaces(const MapObject& object) {
 QString liesText() { return ObjectText::tr("lies here"); }
 QString expectedText() { return ObjectText::tr("should lie here"); }
 
-void paintPlaces(QPainter& painter, const LayerContext& context, const map::Polyline& line) {
-  const QPointF lies = toPoint(context.view.pixelFromWorld(line.front()));
-  const QPointF expected = toPoint(context.view.pixelFromWorld(line.back()));
-  strokeTwice(painter, context.theme, kLiesDotPx, [&] { painter.drawPoint(lies); });
-  strokeTwice(painter, context.theme, 2,
-              [&] { painter.drawRect(squareAround(expected, kExpectedSquarePx / 2)); });
-  // Away from each other.
-  const double length_px = QLineF(lies, expected).length();
-  const QPointF along = length_px > 1 ? (expected - lies) / length_px : QPointF(1, 0);
-  const auto write = [&](const QPointF& place, const QPointF& away, const QString& text) {
-    const QSizeF size = context.ink->sizeOf(text, context.theme);
-    const QPointF middle =
-        place + away * kPlaceNamePx + QPointF(away.x() * size.width() / 2, away.y() * size.height() / 2);
-    context.ink->draw(painter, middle - QPointF(size.width(), size.height()) / 2, text, context.theme,
-                      context.theme.accent);
+/// In the viewport: from where the robot lies to where it should lie.
+QLineF placesOf(const LayerContext& context, const map::Polyline& line) {
+  return {toPoint(context.view.pixelFromWorld(line.front())),
+          toPoint(context.view.pixelFromWorld(line.back()))};
+}
+
+struct PlaceName {
+  QRectF box;
+  QString text;
+};
+/// Away from each other.
+std::array<PlaceName, 2> namesOf(const LayerContext& context, const QLineF& places) {
+  const double length_px = places.length();
+  const QPointF along = length_px > 1 ? (places.p2() - places.p1()) / length_px : QPointF(1, 0);
+  const auto named = [&](const QPointF& place, const QPointF& away, const QString& text) {
+    QRectF box(QPointF(), context.ink->sizeOf(text, context.theme));
+    box.moveCenter(place + away * kPlaceNamePx +
+                   QPointF(away.x() * box.width() / 2, away.y() * box.height() / 2));
+    return PlaceName{box, text};
   };
-  write(lies, -along, liesText());
-  write(expected, along, expectedText());
+  return {named(places.p1(), -along, liesText()), named(places.p2(), along, expectedText())};
+}
+
+void paintPlaces(QPainter& painter, const LayerContext& context, const map::Polyline& line) {
+  const QLineF places = placesOf(context, line);
+  strokeTwice(painter, context.theme, kLiesDotPx, [&] { painter.drawPoint(places.p1()); });
+  strokeTwice(painter, context.theme, 2,
+              [&] { painter.drawRect(squareAround(places.p2(), kExpectedSquarePx / 2)); });
+  for (const PlaceName& name : namesOf(context, places))
+    context.ink->draw(painter, name.box.topLeft(), name.text, context.theme, context.theme.accent);
 }
 
 }  // namespace
@@ -68,6 +84,23 @@ QRectF MarkItem::covers() const {
     covered |= QRectF(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach);
   }
   return covered;
+}
+
+/// No label lies under the line of a closure: it is drawn over them.
+void MarkItem::collectLabels(LabelCollector& labels) const {
+  if (!context_.marked || !hasPlaces(*context_.marked) || !context_.ink) return;
+  const QLineF places = placesOf(context_, context_.marked->parts.front());
+  for (const PlaceName& name : namesOf(context_, places)) labels.symbol(name.box);
+  labels.symbol(squareAround(places.p1(), kLiesDotPx));
+  labels.symbol(squareAround(places.p2(), kExpectedSquarePx / 2 + 2));
+  constexpr double kCasedPx = 14, kStepPx = 10;
+  for (const QPolygonF& line : visibleLines(context_.view, context_.marked->parts.front(), kCasedPx)) {
+    for (qsizetype i = 1; i < line.size(); ++i) {
+      const QLineF leg(line[i - 1], line[i]);
+      for (double at = 0; at < leg.length(); at += kStepPx)
+        labels.symbol(squareAround(leg.pointAt(at / leg.length()), kCasedPx / 2));
+    }
+  }
 }
 
 /// On both sides of its lines: what they look like stays visible between them.

@@ -20,7 +20,7 @@ class OutlinesLayer : public LayerItem {
     const geometry::WorldRect visible = context_.view.visibleWorld();
     QList<QLineF> active, frozen;
     for (const auto& [id, outline] : context_.outlines) {
-      if (!outline.visible) continue;
+      if (!outline.visible || (context_.outlined && !context_.outlined->contains(id))) continue;
       geometry::WorldRect bounds;
       for (const Eigen::Vector2d& corner : outline.corners) bounds.extend(corner);
       if (!bounds.intersects(visible)) continue;
@@ -60,6 +60,7 @@ class IdsLayer : public LayerItem {
     for (auto it = context_.outlines.rbegin(); it != context_.outlines.rend(); ++it) {
       const auto& [id, outline] = *it;
       if (context_.highlighted.contains(id)) continue;  // labelled by its frame
+      if (context_.outlined && !context_.outlined->contains(id)) continue;
       const QPointF center = toPoint(context_.view.pixelFromWorld(outline.center));
       if (!labels.area().contains(center)) continue;
       const auto square = [](double px) { return std::uint64_t(std::int64_t(std::floor(px / kSquarePx))); };
