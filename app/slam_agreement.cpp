@@ -220,10 +220,18 @@ QJsonObject withCompleteness(QJsonObject json, const RobotReading& reading) {
 QJsonObject jsonOf(const Disagreement& found) {
   QJsonArray places;
   for (const agreement::Place& place : found.places) {
-    places << QJsonObject{{QStringLiteral("x"), place.x},
-                          {QStringLiteral("y"), place.y},
-                          {QStringLiteral("cells"), qint64(place.cells)},
-                          {QStringLiteral("submaps"), QJsonArray::fromStringList(namesOf(place.submaps))}};
+    QJsonArray parts;
+    for (const agreement::Part& part : place.submaps) {
+      parts << QJsonObject{{QStringLiteral("submap"), QString::fromStdString(map::toText(part.id))},
+                           {QStringLiteral("occupied_cells"), part.occupied},
+                           {QStringLiteral("free_cells"), part.free}};
+    }
+    places << QJsonObject{
+        {QStringLiteral("x"), place.x},
+        {QStringLiteral("y"), place.y},
+        {QStringLiteral("cells"), qint64(place.cells)},
+        {QStringLiteral("submaps"), QJsonArray::fromStringList(namesOf(agreement::idsOf(place.submaps)))},
+        {QStringLiteral("parts"), parts}};
   }
   return {{QStringLiteral("tolerance_cells"), found.tolerance_cells},
           {QStringLiteral("cell_m"), found.cell_m},
@@ -240,7 +248,7 @@ QString csvOf(const Disagreement& found) {
                 .arg(place.x)
                 .arg(place.y)
                 .arg(place.cells)
-                .arg(namesOf(place.submaps).join(QLatin1Char(' ')));
+                .arg(namesOf(agreement::idsOf(place.submaps)).join(QLatin1Char(' ')));
   }
   return rows;
 }
@@ -251,11 +259,18 @@ void print(const Disagreement& found) {
                      cellsText(found.contradicted_cells), words::decimal(found.cell_m),
                      QString::number(found.tolerance_cells)));
   if (found.places.empty()) return;
-  std::vector<QStringList> table{{Text::tr("CELLS"), Text::tr("X"), Text::tr("Y"), Text::tr("SUBMAPS")}};
+  std::vector<QStringList> table{
+      {Text::tr("CELLS"), Text::tr("X"), Text::tr("Y"), Text::tr("SUBMAPS (occupied/free)")}};
   for (const agreement::Place& place : found.places) {
     if (table.size() > kRowsShown) break;
+    QStringList submaps;
+    for (const agreement::Part& part : place.submaps)
+      submaps << QStringLiteral("%1 (%2/%3)")
+                     .arg(QString::fromStdString(map::toText(part.id)))
+                     .arg(part.occupied)
+                     .arg(part.free);
     table.push_back({QString::number(place.cells), words::decimal(place.x), words::decimal(place.y),
-                     namesOf(place.submaps).join(QLatin1Char(' '))});
+                     submaps.join(QLatin1Char(' '))});
   }
   printTable(table);
   if (const qsizetype more = qsizetype(found.places.size()) - qsizetype(kRowsShown); more > 0)

@@ -65,7 +65,8 @@ void addDisagreement(const agreement::Disagreement& found, suite::Examined& exam
   examined.disagreement = suite::DisagreementFact{found.tolerance_cells, std::int64_t(found.occupied_cells),
                                                   std::int64_t(found.contradicted_cells)};
   for (const agreement::Place& place : found.places)
-    examined.squares.push_back({{place.x, place.y}, std::int64_t(place.cells), place.submaps});
+    examined.squares.push_back(
+        {{place.x, place.y}, std::int64_t(place.cells), agreement::idsOf(place.submaps)});
 }
 
 }  // namespace

@@ -41,20 +41,29 @@ TileRange touchedBy(const geometry::WorldRect& bounds, const Rules& rules) {
 
 using OfTile = std::pair<Square, const SquareFindings*>;  // a square may lie in several tiles
 
-std::vector<map::SubmapId> mostFirst(std::span<const OfTile> square) {
-  std::map<map::SubmapId, std::uint64_t> cells_of;
+std::vector<Part> mostFirst(std::span<const OfTile> square) {
+  std::map<map::SubmapId, Part> of_submaps;
   for (const auto& [where, findings] : square) {
-    for (const Part& part : findings->submaps) cells_of[part.id] += part.cells;
+    for (const Part& part : findings->submaps) {
+      Part& sum = of_submaps.try_emplace(part.id, Part{part.id}).first->second;
+      sum.occupied = std::uint16_t(sum.occupied + part.occupied);
+      sum.free = std::uint16_t(sum.free + part.free);
+    }
   }
-  std::vector<std::pair<map::SubmapId, std::uint64_t>> parts(cells_of.begin(), cells_of.end());
+  std::vector<Part> parts;
+  for (const auto& [id, part] : of_submaps) parts.push_back(part);
   std::stable_sort(parts.begin(), parts.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::vector<map::SubmapId> ids;
-  for (const auto& [id, cells] : parts) ids.push_back(id);
-  return ids;
+                   [](const Part& a, const Part& b) { return a.cells() > b.cells(); });
+  return parts;
 }
 
 }  // namespace
+
+std::vector<map::SubmapId> idsOf(std::span<const Part> submaps) {
+  std::vector<map::SubmapId> ids;
+  for (const Part& part : submaps) ids.push_back(part.id);
+  return ids;
+}
 
 int Coverage::most() const {
   int most = Tile::kManySubmaps;

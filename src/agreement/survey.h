@@ -40,10 +40,11 @@ struct TileRange {
 
 /// A square of 1 m where submaps contradict each other.
 struct Place {
-  double x = 0, y = 0;                 // its centre, metres in the world
-  std::uint64_t cells = 0;             // that contradict
-  std::vector<map::SubmapId> submaps;  // that disagree there: in most of those cells first, then by id
+  double x = 0, y = 0;        // its centre, metres in the world
+  std::uint64_t cells = 0;    // that contradict
+  std::vector<Part> submaps;  // that disagree there: in most of those cells first, then by id
 };
+std::vector<map::SubmapId> idsOf(std::span<const Part> submaps);
 
 struct Disagreement {
   double cell_m = 0;

@@ -231,7 +231,7 @@ class SubmapReader {
 /// What a submap claims about the cells of a tile: that they are occupied, or clearly free.
 struct Claims {
   map::SubmapId id;
-  Tile::Bits cells;
+  Tile::Bits occupied, clear;
 };
 
 /// For every column of a tile the column behind its square of 1 m.
@@ -267,12 +267,12 @@ void eachSet(const std::uint64_t* row, Visit visit) {
 }
 
 /// Set bits of a row in [first, end).
-std::uint32_t countBetween(const std::uint64_t* row, int first, int end) {
-  std::uint32_t count = 0;
+int countBetween(const std::uint64_t* row, int first, int end) {
+  int count = 0;
   for (int at = first; at < end; at = (at / 64 + 1) * 64) {
     std::uint64_t word = row[at / 64] >> (at % 64);
     if (const int length = end - at; length < 64) word &= (std::uint64_t(1) << length) - 1;
-    count += std::uint32_t(std::popcount(word));
+    count += std::popcount(word);
   }
   return count;
 }
@@ -288,16 +288,20 @@ void findSquares(const TileTask& task, const std::vector<Claims>& all, Tile& til
   }
   for (const Claims& claims : all) {  // in ascending order
     for (int row = 0; row < kTileCells; ++row) {
-      TileRow hit;
+      TileRow occupied, hit;  // of those that contradict
       for (std::size_t word = 0; word < hit.size(); ++word) {
         const std::size_t at = std::size_t(row) * hit.size() + word;
-        hit[word] = claims.cells[at] & tile.contradicted[at];
+        occupied[word] = claims.occupied[at] & tile.contradicted[at];
+        hit[word] = occupied[word] | (claims.clear[at] & tile.contradicted[at]);
       }
       eachSet(hit.data(), [&](int column) {
         const int end = columns.end(column);
         std::vector<Part>& parts = tile.squares[{columns.square(column), rows.square(row)}].submaps;
-        if (parts.empty() || parts.back().id != claims.id) parts.push_back({claims.id, 0});
-        parts.back().cells += countBetween(hit.data(), column, end);
+        if (parts.empty() || parts.back().id != claims.id) parts.push_back({claims.id});
+        const int its_occupied = countBetween(occupied.data(), column, end);
+        parts.back().occupied = std::uint16_t(parts.back().occupied + its_occupied);
+        parts.back().free =
+            std::uint16_t(parts.back().free + countBetween(hit.data(), column, end) - its_occupied);
         return end;
       });
     }
@@ -365,7 +369,8 @@ std::shared_ptr<const Tile> makeTile(const TileTask& task, render::DenseCache& c
         const std::uint64_t its_free = its_clear[std::size_t(row)][word];
         tile->occupied[at] |= its_occupied[word];
         clear[at] |= its_free;
-        claims.cells[at] = its_occupied[word] | its_free;
+        claims.occupied[at] = its_occupied[word];
+        claims.clear[at] = its_free;
       }
     }
   }

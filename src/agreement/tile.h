@@ -54,10 +54,13 @@ struct Square {
 
 Square squareAt(double x, double y);
 
-/// A submap that disagrees: it holds so many of the cells that contradict occupied, or saw them free.
+/// A submap that disagrees, in so many of the cells of a square that contradict. At most 101 x 101 have their
+/// centres in one.
 struct Part {
   map::SubmapId id;
-  std::uint32_t cells = 0;
+  std::uint16_t occupied = 0;  // it holds them occupied, and others saw them free
+  std::uint16_t free = 0;      // the other way round
+  int cells() const { return occupied + free; }
   bool operator==(const Part&) const = default;
 };
 
@@ -114,7 +117,7 @@ Eigen::Vector2d centreOf(TileKey key, int column, int row, double cell_m);
 /// Submaps beyond do not matter to the tile.
 geometry::WorldRect reachOf(TileKey key, const Rules& rules);
 
-/// Null if cancelled, which is polled (it may be null), and never null otherwise. One core; memory: 8 KB for
+/// Null if cancelled, which is polled (it may be null), and never null otherwise. One core; memory: 16 KB for
 /// each submap.
 std::shared_ptr<const Tile> makeTile(const TileTask& task, render::DenseCache& cache,
                                      const std::atomic<bool>* cancelled = nullptr);

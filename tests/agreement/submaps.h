@@ -48,8 +48,8 @@ using Cell = std::pair<std::int64_t, std::int64_t>;  // column (x), row (y) of t
 struct PlainReading {
   std::map<Cell, int> seen_by;
   std::set<Cell> occupied, contradicted;
-  /// Cells that contradict in a square of 1 m, and in how many of them a submap disagrees.
-  std::map<std::pair<int, int>, std::pair<int, std::map<map::SubmapId, std::uint32_t>>> squares;
+  /// Cells that contradict in a square of 1 m, and how many of them a submap holds occupied, and saw free.
+  std::map<std::pair<int, int>, std::pair<int, std::map<map::SubmapId, std::pair<int, int>>>> squares;
 };
 
 /// From the definition alone.
@@ -104,12 +104,12 @@ inline PlainReading plainReading(const std::vector<PlacedTexture>& submaps, cons
     }
     if (who.empty()) continue;
     all.contradicted.insert(cell);
-    for (const Own& own : each) {
-      if (own.occupied.contains(cell)) who.insert(own.id);
-    }
     auto& [cells, submaps_there] = all.squares[squareOf(cell)];
     ++cells;
-    for (const map::SubmapId id : who) ++submaps_there[id];
+    for (const Own& own : each) {
+      if (own.occupied.contains(cell)) ++submaps_there[own.id].first;
+    }
+    for (const map::SubmapId id : who) ++submaps_there[id].second;
   }
   return all;
 }

@@ -97,11 +97,15 @@ void TestSurvey::findsWhatAPlainReadingFinds() {
     for (const Place& place : found.places) {
       const auto& [cells, ids] = expected.squares.at({int(std::floor(place.x)), int(std::floor(place.y))});
       QCOMPARE(place.cells, std::uint64_t(cells));
-      std::vector<std::pair<std::int64_t, map::SubmapId>> ranked;
-      for (const auto& [id, its_cells] : ids) ranked.emplace_back(-std::int64_t(its_cells), id);
+      std::vector<std::pair<int, map::SubmapId>> ranked;
+      for (const auto& [id, its] : ids) ranked.emplace_back(-(its.first + its.second), id);
       std::sort(ranked.begin(), ranked.end());
       QCOMPARE(place.submaps.size(), ranked.size());
-      for (std::size_t at = 0; at < ranked.size(); ++at) QVERIFY(place.submaps[at] == ranked[at].second);
+      for (std::size_t at = 0; at < ranked.size(); ++at) {
+        const agreement::Part& part = place.submaps[at];
+        QVERIFY(part.id == ranked[at].second);
+        QCOMPARE(std::pair(int(part.occupied), int(part.free)), ids.at(part.id));
+      }
     }
   }
 }
@@ -114,8 +118,8 @@ void TestSurvey::findsASubmapThatWasMoved() {
   QVERIFY(found.share() > 0.05);
   for (const Place& place : found.places) {
     QVERIFY(place.x > 23 && place.x < 35);
-    QVERIFY(std::find(place.submaps.begin(), place.submaps.end(), map::SubmapId{0, 6}) !=
-            place.submaps.end());
+    const auto ids = agreement::idsOf(place.submaps);
+    QVERIFY(std::find(ids.begin(), ids.end(), map::SubmapId{0, 6}) != ids.end());
   }
   QVERIFY(found.places.size() >= 10);
 }
@@ -129,7 +133,7 @@ void TestSurvey::ranksPlaces() {
   const std::vector<std::pair<double, double>> order{{1.5, 0.5}, {0.5, 0.5}, {0.5, 1.5}, {2.5, 1.5}};
   for (std::size_t at = 0; at < order.size(); ++at)
     QCOMPARE(std::pair(found.places[at].x, found.places[at].y), order[at]);
-  QVERIFY((found.places[0].submaps == std::vector<map::SubmapId>{{0, 1}, {0, 3}}));
+  QVERIFY((found.places[0].submaps == std::vector<agreement::Part>{{{0, 1}, 0, 6}, {{0, 3}, 6, 0}}));
   QCOMPARE(found.places[0].cells, std::uint64_t(6));
 }
 

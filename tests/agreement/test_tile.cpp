@@ -94,7 +94,10 @@ void TestTile::findsWhatAPlainReadingFinds() {
       for (const auto& [square, findings] : tile.squares) {
         auto& [cells, ids] = found.squares[{square.x, square.y}];
         cells += int(findings.cells);
-        for (const agreement::Part& part : findings.submaps) ids[part.id] += part.cells;
+        for (const agreement::Part& part : findings.submaps) {
+          ids[part.id].first += part.occupied;
+          ids[part.id].second += part.free;
+        }
         QVERIFY(std::is_sorted(findings.submaps.begin(), findings.submaps.end(),
                                [](const auto& a, const auto& b) { return a.id < b.id; }));
       }

@@ -73,6 +73,16 @@ class SlamAgreementTest : public QObject {
       QVERIFY(cells <= before);
       sum += before = cells;
       QVERIFY(place[QStringLiteral("submaps")].toArray().size() >= 2);
+      // Each cell is held occupied by one of them at least, and was seen free by one.
+      QJsonArray named;
+      int occupied = 0, free = 0;
+      for (const QJsonValue& part : place[QStringLiteral("parts")].toArray()) {
+        named << part[QStringLiteral("submap")];
+        occupied += part[QStringLiteral("occupied_cells")].toInt();
+        free += part[QStringLiteral("free_cells")].toInt();
+      }
+      QCOMPARE(named, place[QStringLiteral("submaps")].toArray());
+      QVERIFY(occupied >= cells && free >= cells);
       QCOMPARE(rows[at + 1][0].toDouble(), place[QStringLiteral("x")].toDouble());
       QCOMPARE(rows[at + 1][2].toInt(), cells);
       QCOMPARE(rows[at + 1][3].split(QLatin1Char(' ')).size(),

@@ -1,13 +1,16 @@
 // Where submaps contradict each other, in the window: the places, and stepping through the submaps of one.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QImage>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/kit/plain_label.h"
 #include "ui/slam/closures_dock.h"
 #include "ui/slam/closures_model.h"
 #include "ui/slam/disagreement_dock.h"
@@ -47,6 +50,12 @@ struct Desk {
     if (!entries.empty()) bench.robot->list(std::move(entries));
   }
   QString said() const { return dock.summary()->text(); }
+  /// What is said of the submap in hand.
+  QString step() const {
+    for (const PlainLabel* const label : dock.findChildren<PlainLabel*>())
+      if (label->text().startsWith(QStringLiteral("Submap "))) return label->text();
+    return {};
+  }
   /// Of 0-0, 0-1 and 0-2.
   std::vector<bool> shown() const {
     std::vector<bool> all;
@@ -94,7 +103,10 @@ class TestWindowDisagreement : public QObject {
     for (int row = 0; row < 5; ++row) {
       QCOMPARE(model.place(row).cells, std::uint64_t(200));
       QCOMPARE(model.place(row).y, -0.5);
-      QCOMPARE(model.place(row).submaps, (std::vector<map::SubmapId>{{0, 0}, {0, 1}}));
+      QCOMPARE(model.place(row).submaps, (std::vector<agreement::Part>{{{0, 0}, 200, 0}, {{0, 1}, 0, 200}}));
+      QCOMPARE(model.index(row, PlacesModel::SubmapsColumn).data(Qt::ToolTipRole).toString(),
+               plainToolTip(QStringLiteral("0-0: occupied in 200 cells, free in 0\n"
+                                           "0-1: occupied in 0 cells, free in 200")));
     }
     QTRY_VERIFY2(desk.said().contains(QStringLiteral("1,000 of 3,000")), qPrintable(desk.said()));
     QVERIFY(desk.said().contains(QStringLiteral("33.3 %")));
@@ -242,6 +254,87 @@ class TestWindowDisagreement : public QObject {
     desk.window.session()->setVisible({{0, 0}}, false);
     desk.dock.allButton()->click();
     QCOMPARE(desk.shown(), (Shown{false, true, true}));
+  }
+
+  void theSubmapInHandIsHiddenAndShownAgain() {
+    Desk desk;
+    QVERIFY(desk.found());
+    QPushButton* const hide = desk.dock.hideButton();
+    desk.clickRow(0);
+    QVERIFY(!hide->isEnabled());
+    desk.dock.nextButton()->click();
+    QVERIFY2(desk.step().startsWith(QStringLiteral("Submap 0-0, 1 of 2")), qPrintable(desk.step()));
+    QVERIFY(desk.step().endsWith(QStringLiteral("occupied in 200 cells, free in 0")));
+    desk.dock.nextButton()->click();
+    QVERIFY(desk.step().endsWith(QStringLiteral("occupied in 0 cells, free in 200")));
+    hide->click();
+    // The others are back, and the place is no longer one.
+    QCOMPARE(desk.shown(), (Shown{true, false, true}));
+    QVERIFY(!desk.dock.allButton()->isEnabled());
+    QCOMPARE(desk.step(), QStringLiteral("Submap 0-1 is hidden."));
+    QTRY_COMPARE(desk.dock.model()->rowCount(), 0);
+    QVERIFY(desk.said().contains(QStringLiteral("1 hidden submap does not count.")));
+    QVERIFY(desk.dock.showHiddenButton()->isVisible() && hide->isVisible());
+    QCOMPARE(hide->text(), QStringLiteral("Show"));
+    hide->click();
+    QCOMPARE(desk.shown(), (Shown{true, true, true}));
+    QCOMPARE(hide->text(), QStringLiteral("Hide"));
+    QVERIFY(desk.found());
+    QTRY_VERIFY(!desk.dock.showHiddenButton()->isVisible());
+    // The next one is the next one.
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, false, true}));
+  }
+
+  void allHiddenOnesAreShownByOneButton() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.window.session()->setVisible({{0, 0}, {0, 2}}, false);
+    QTRY_VERIFY(desk.dock.showHiddenButton()->isVisible());
+    desk.dock.showHiddenButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, true, true}));
+    QTRY_VERIFY(!desk.dock.showHiddenButton()->isVisible());
+  }
+
+  void whatIsHiddenMeanwhileCanBeShownWhereItIsSteppedTo() {
+    Desk desk;
+    QVERIFY(desk.found());
+    desk.window.session()->setVisible({{0, 0}}, false);
+    QTRY_COMPARE(desk.dock.model()->rowCount(), 0);
+    desk.dock.showHiddenButton()->click();
+    QVERIFY(desk.found());
+    desk.clickRow(0);
+    desk.window.session()->setVisible({{0, 0}}, false);
+    desk.dock.nextButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, false, true}));  // shown for the step
+    QVERIFY(desk.step().contains(QStringLiteral("otherwise hidden")));
+    desk.dock.hideButton()->click();
+    QCOMPARE(desk.shown(), (Shown{true, true, true}));
+    QCOMPARE(desk.step(), QStringLiteral("Submap 0-0 is shown."));
+  }
+
+  void onlyTheFramesOfThePlaceAreDrawnWhileItIsSteppedThrough() {
+    Desk desk({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 0, 2), entry(0, 2, 1, 10, 0)});
+    QVERIFY(desk.found());
+    scene::MapScene& scene = *desk.window.mapScene();
+    scene.setLayersVisible({Layer::Outlines});
+    desk.clickRow(0);
+    part<MapView>(desk.window)->fit({-15, -15, 15, 15}, false);
+    const auto inked = [&](double x, double y) {
+      const Eigen::Vector2d px = scene.view().pixelFromWorld({x, y});
+      QImage image(scene.view().width_px, scene.view().height_px, QImage::Format_RGB32);
+      QPainter painter(&image);
+      scene.render(&painter, image.rect(), image.rect());
+      const QRgb ground = image.pixel(4, image.height() / 2);
+      for (int dx = -2; dx <= 2; ++dx)
+        if (image.pixel(int(px.x()) + dx, int(px.y())) != ground) return true;
+      return false;
+    };
+    QVERIFY(inked(10, -0.75));  // of 0-2
+    desk.dock.nextButton()->click();
+    QVERIFY(!inked(10, -0.75) && inked(0, -0.75));
+    desk.dock.allButton()->click();
+    QVERIFY(inked(10, -0.75));
   }
 
   void blinkingShowsThemInTurn() {

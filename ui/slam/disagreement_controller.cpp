@@ -90,6 +90,8 @@ DisagreementController::DisagreementController(WindowContext& context, QObject* 
     }
   });
   connect(dock_->allButton(), &QPushButton::clicked, this, &DisagreementController::stopStepping);
+  connect(dock_->hideButton(), &QPushButton::clicked, this, &DisagreementController::hideOrShow);
+  connect(dock_->showHiddenButton(), &QPushButton::clicked, this, &DisagreementController::showHidden);
   connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
     if (dock_seen_) showWork();
   });
@@ -195,7 +197,7 @@ void DisagreementController::look() {
 }
 
 QString DisagreementController::absence() const {
-  if (!session_) return tr("Connect to a robot to see where its submaps contradict each other.");
+  if (!session_) return tr("Connect to a robot or open a file to see where submaps contradict each other.");
   if (!session_->robot().submapSource())
     return sentences::absenceReason(robot::Capability::Submaps,
                                     session_->robot().unavailableReason(robot::Capability::Submaps));
@@ -250,6 +252,7 @@ void DisagreementController::showFindings() {
       covers ? nullptr : std::shared_ptr<const agreement::Tiles>(found, &found->tiles), found->cell_m);
   dock_->setTolerance(dock_->tolerance(), run_->survey().rules().cell_m);
   dock_->setPlaces({found, &found->places});
+  showSteps();
   showWork();
 }
 
@@ -263,6 +266,7 @@ void DisagreementController::showWork() {
                                   : Work::Done,
                  survey.tiles() == 0 ? 0 : 1 - double(survey.stale()) / double(survey.tiles()));
   dock_->setText(sentence());
+  dock_->setHidden(session_ && !stepper_.steps() && session_->counts().hidden > 0);
   if (const auto wait = pace_.changesIn()) {
     later_.start(*wait);
   } else {
@@ -282,8 +286,13 @@ void DisagreementController::goTo(agreement::Place place) {
   context_.viewpoint.choose();
   context_.view.moveTo(to, true);
   square_->show({place.x - 0.5, place.y - 0.5, place.x + 0.5, place.y + 0.5});
-  highlight({place.submaps.begin(), place.submaps.end()});
+  frame(place);
   showSteps();
+}
+
+void DisagreementController::frame(const agreement::Place& place) {
+  const std::vector<map::SubmapId> ids = agreement::idsOf(place.submaps);
+  highlight({ids.begin(), ids.end()});
 }
 
 void DisagreementController::leavePlace() {
@@ -305,13 +314,14 @@ void DisagreementController::highlight(std::set<map::SubmapId> ids) {
 
 void DisagreementController::step() {
   if (!place_ || !session_) return stopStepping();
-  const std::size_t count = place_->submaps.size();
-  at_ = stepper_.steps() ? (at_ + 1) % count : 0;
+  const std::vector<map::SubmapId> ids = agreement::idsOf(place_->submaps);
+  in_hand_ = in_hand_ ? (*in_hand_ + 1) % ids.size() : 0;
   if (!stepper_.steps()) context_.scene.setAgreement(nullptr, 0);
   {
     const QScopedValueRollback quiet(stepping_, true);
-    stepper_.showOnly(place_->submaps, at_);
+    stepper_.showOnly(ids, *in_hand_);
   }
+  context_.scene.setOutlined(std::set<map::SubmapId>(ids.begin(), ids.end()));
   // The frame of one would tint what is to be seen.
   highlight({});
   showSteps();
@@ -320,24 +330,60 @@ void DisagreementController::step() {
 void DisagreementController::stopStepping() {
   blink_.stop();
   dock_->blinkButton()->setChecked(false);
-  if (!stepper_.steps()) return;
+  in_hand_.reset();
+  context_.scene.setOutlined(std::nullopt);
+  if (!stepper_.steps()) return showSteps();
   {
     const QScopedValueRollback quiet(stepping_, true);
     stepper_.giveBack();
   }
-  if (place_) highlight({place_->submaps.begin(), place_->submaps.end()});
+  if (place_) frame(*place_);
   showSteps();
   showFindings();
 }
 
 void DisagreementController::showSteps() {
   QString text;
-  if (place_ && stepper_.steps()) {
-    text = tr("Submap %1, %2 of %3")
-               .arg(QString::fromStdString(map::toText(place_->submaps[at_])), QString::number(at_ + 1),
-                    QString::number(place_->submaps.size()));
+  auto in_hand = DisagreementDock::InHand::None;
+  if (place_ && in_hand_) {
+    const agreement::Part& part = place_->submaps[*in_hand_];
+    const QString name = QString::fromStdString(map::toText(part.id));
+    const bool hidden = isHidden(part.id);
+    in_hand = hidden ? DisagreementDock::InHand::Show : DisagreementDock::InHand::Hide;
+    if (!stepper_.steps()) {
+      text = hidden ? tr("Submap %1 is hidden.").arg(name) : tr("Submap %1 is shown.").arg(name);
+    } else {
+      const QString number = QString::number(*in_hand_ + 1), all = QString::number(place_->submaps.size());
+      text = (hidden ? tr("Submap %1, %2 of %3, otherwise hidden: %4") : tr("Submap %1, %2 of %3: %4"))
+                 .arg(name, number, all, claimText(part));
+    }
   }
-  dock_->setSteps(place_ != nullptr, stepper_.steps(), text);
+  dock_->setSteps(place_ != nullptr, stepper_.steps(), text, in_hand);
+}
+
+bool DisagreementController::isHidden(map::SubmapId id) const {
+  const submap::SubmapRow* const row = session_ ? session_->submaps().find(id) : nullptr;
+  return row && !stepper_.wanted(id, row->visible);
+}
+
+void DisagreementController::hideOrShow() {
+  if (!place_ || !in_hand_ || !session_) return;
+  const std::size_t at = *in_hand_;
+  const map::SubmapId id = place_->submaps[at].id;
+  const bool hidden = isHidden(id);
+  stopStepping();
+  in_hand_ = at;
+  session_->setVisible({id}, hidden);
+  showSteps();
+}
+
+void DisagreementController::showHidden() {
+  if (!session_) return;
+  std::vector<map::SubmapId> ids;
+  for (const auto& [id, row] : session_->submaps().rows()) {
+    if (!row.visible) ids.push_back(id);
+  }
+  if (!ids.empty()) session_->setVisible(ids, true);
 }
 
 }  // namespace mapwright::window

@@ -62,6 +62,11 @@ class DisagreementController : public Controller {
   void step();
   void stopStepping();
   void showSteps();
+  /// The submap in hand.
+  void hideOrShow();
+  bool isHidden(map::SubmapId id) const;
+  void showHidden();
+  void frame(const agreement::Place& place);
   void highlight(std::set<map::SubmapId> ids);
 
   WindowContext& context_;
@@ -77,7 +82,7 @@ class DisagreementController : public Controller {
   SubmapStepper stepper_;
   bool stepping_ = false;                    // what is shown and hidden just now changes no findings
   std::unique_ptr<agreement::Place> place_;  // that the user went to; null = none
-  std::size_t at_ = 0;                       // of its submaps, while stepping
+  std::optional<std::size_t> in_hand_;       // of its submaps: shown while stepping, or hidden then
   std::set<map::SubmapId> highlighted_;      // by this
 };
 

@@ -30,13 +30,32 @@ namespace {
 
 constexpr std::array kTolerances{0, 1, 4};
 
-QString submapNames(const std::vector<map::SubmapId>& ids) {
+QString submapNames(const std::vector<agreement::Part>& submaps) {
   QStringList names;
-  for (const map::SubmapId id : ids) names << QString::fromStdString(map::toText(id));
+  for (const agreement::Part& part : submaps) names << QString::fromStdString(map::toText(part.id));
   return names.join(QLatin1String(", "));
 }
 
+/// What each of them says, a line each.
+QString submapClaims(const std::vector<agreement::Part>& submaps) {
+  constexpr std::size_t kMost = 12;
+  QStringList lines;
+  for (std::size_t at = 0; at < std::min(submaps.size(), kMost); ++at)
+    lines << PlacesModel::tr("%1: %2").arg(QString::fromStdString(map::toText(submaps[at].id)),
+                                           claimText(submaps[at]));
+  if (submaps.size() > kMost) {
+    const auto more = qint64(submaps.size() - kMost);
+    lines << sentences::counted(PlacesModel::tr("and %1 others", nullptr, sentences::formOf(more)), more);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
 }  // namespace
+
+QString claimText(const agreement::Part& part) {
+  return PlacesModel::tr("occupied in %1 cells, free in %2")
+      .arg(countText(part.occupied), countText(part.free));
+}
 
 void PlacesModel::setPlaces(Places places) {
   const bool same =
@@ -63,7 +82,7 @@ QVariant PlacesModel::data(const QModelIndex& index, int role) const {
   const bool submaps = index.column() == SubmapsColumn;
   if (role == Qt::TextAlignmentRole)
     return int((submaps ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole && submaps) return plainToolTip(submapNames(place.submaps));
+  if (role == Qt::ToolTipRole && submaps) return plainToolTip(submapClaims(place.submaps));
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case CellsColumn:
@@ -85,7 +104,7 @@ QVariant PlacesModel::headerData(int section, Qt::Orientation orientation, int r
   if (role == Qt::ToolTipRole && section == CellsColumn)
     return tr("How many cells contradict within a square of 1 m");
   if (role == Qt::ToolTipRole && section == SubmapsColumn)
-    return tr("Those that disagree, in most of the cells first");
+    return tr("Those that disagree, in most of the cells first; point at a row for what each of them says");
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case CellsColumn:
@@ -113,7 +132,9 @@ DisagreementDock::DisagreementDock(QWidget* parent)
       shown_(new PlainLabel(this)),
       blink_(compactButton(tr("Blink"), this, tr("Show the submaps that disagree in turn"))),
       next_(compactButton(tr("Next submap"), this, tr("Of those that disagree, show only the next one"))),
-      all_(compactButton(tr("All"), this, tr("Show everything as before"))) {
+      all_(compactButton(tr("All"), this, tr("Show everything as before"))),
+      hide_(compactButton(tr("Hide"), this)),
+      show_hidden_(compactButton(tr("Show hidden"), this, tr("Show all submaps that you have hidden"))) {
   setObjectName(QStringLiteral("disagreement"));
   for (const int cells : kTolerances) {
     tolerance_->addItem(
@@ -137,14 +158,16 @@ DisagreementDock::DisagreementDock(QWidget* parent)
                   {PlacesModel::YColumn, number_px, false}});
   blink_->setCheckable(true);
   shown_->setSample(QStringLiteral("x"));
+  shown_->setMostLines(2);
   shown_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* const tools = new WrappingRow;
-  for (QPushButton* button : {blink_, next_, all_}) tools->add(button);
+  for (QPushButton* button : {blink_, next_, all_, hide_}) tools->add(button);
   tools->add(shown_, 1, 120);
   steps_->setLayout(tools);
   auto* const body = new QWidget(this);
   body->setLayout(columnOf({rowOf({{tolerance_, 1}, layer_}, 8, QMargins(8, 6, 8, 0)),
                             rowOf({{summary_, 1}}, 0, QMargins(8, 0, 8, 0)),
+                            rowOf({show_hidden_, LayoutItem::rest()}, 0, QMargins(8, 0, 8, 0)),
                             rowOf({{progress_, 1}, work_}, 8, QMargins(8, 0, 8, 0)),
                             {table_, 1},
                             steps_,
@@ -156,7 +179,8 @@ DisagreementDock::DisagreementDock(QWidget* parent)
   setTolerance(kTolerances.back(), agreement::Rules().cell_m);
   setPlaces(std::make_shared<std::vector<agreement::Place>>());
   setWork(Work::Done, 1);
-  setSteps(false, false, {});
+  setSteps(false, false, {}, InHand::None);
+  setHidden(false);
 }
 
 DisagreementDock::~DisagreementDock() { table_->removeEventFilter(this); }
@@ -196,12 +220,19 @@ void DisagreementDock::setWork(Work work, double share_made) {
   work_->setText(work == Work::Goes ? tr("Cancel") : tr("Go on"));
 }
 
-void DisagreementDock::setSteps(bool possible, bool stepping, const QString& text) {
+void DisagreementDock::setSteps(bool possible, bool stepping, const QString& text, InHand in_hand) {
+  hide_->setEnabled(in_hand != InHand::None);
+  hide_->setText(in_hand == InHand::Show ? tr("Show") : tr("Hide"));
+  hide_->setToolTip(in_hand == InHand::Show
+                        ? tr("Show this submap on the map again")
+                        : tr("Hide this submap, as in the SLAM inspector, and show the others"));
   for (QPushButton* button : {blink_, next_}) button->setEnabled(possible);
   all_->setEnabled(stepping);
   steps_->setVisible(possible || model_->rowCount() > 0);
   shown_->setText(text);
 }
+
+void DisagreementDock::setHidden(bool any) { show_hidden_->setVisible(any); }
 
 void DisagreementDock::setTolerance(int cells, double cell_m) {
   for (int i = 0; i < tolerance_->count(); ++i) {

@@ -22,6 +22,9 @@ namespace mapwright::window {
 
 class PlainLabel;
 
+/// How many cells of a place it holds occupied that others saw free, and the other way round.
+QString claimText(const agreement::Part& part);
+
 /// In their order: the worst first.
 class PlacesModel : public QAbstractTableModel {
   Q_OBJECT
@@ -58,8 +61,12 @@ class DisagreementDock : public QDockWidget {
   void setPlaces(PlacesModel::Places places);
   enum class Work { Done, Goes, Stopped };
   void setWork(Work work, double share_made);
-  /// `text`: which submap is shown; empty: all are. `possible`: a place is chosen.
-  void setSteps(bool possible, bool stepping, const QString& text);
+  /// What can be done about the submap in hand.
+  enum class InHand { None, Hide, Show };
+  /// `text`: which submap is in hand, and what it says; empty: none is. `possible`: a place is chosen.
+  void setSteps(bool possible, bool stepping, const QString& text, InHand in_hand);
+  /// Whether the user has hidden any.
+  void setHidden(bool any);
   void setTolerance(int cells, double cell_m);
   int tolerance() const;
   void clearSelection();
@@ -73,6 +80,8 @@ class DisagreementDock : public QDockWidget {
   QPushButton* blinkButton() const { return blink_; }
   QPushButton* nextButton() const { return next_; }
   QPushButton* allButton() const { return all_; }
+  QPushButton* hideButton() const { return hide_; }
+  QPushButton* showHiddenButton() const { return show_hidden_; }
 
  Q_SIGNALS:
   void placeWanted(int row);  // by a click or Enter
@@ -91,7 +100,7 @@ class DisagreementDock : public QDockWidget {
   QTableView* table_;
   QWidget* steps_;
   PlainLabel* shown_;
-  QPushButton *blink_, *next_, *all_;
+  QPushButton *blink_, *next_, *all_, *hide_, *show_hidden_;
 };
 
 }  // namespace mapwright::window
