@@ -2,6 +2,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -130,6 +131,74 @@ class TestWindowClosures : public QObject {
     // Of none at all 30 cm are seen.
     QCOMPARE(apart_px(1), 0.0);
     QVERIFY(part<MapView>(*desk.window)->destination().visibleWorld().width() >= 0.29);
+  }
+
+  void aClosureOfTheMapIsPicked() {
+    Desk desk;
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 3);
+    desk.load();
+    desk.window->mapScene()->setLayersVisible({scene::Layer::Closures});
+    MapView& view = *part<MapView>(*desk.window);
+    view.fit({15, -3, 25, 6}, false);
+    const auto click = [&](double x, double y) {
+      const Eigen::Vector2d px = desk.window->mapScene()->view().pixelFromWorld({x, y});
+      QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, QPoint(int(px.x()), int(px.y())));
+    };
+    const geometry::ViewTransform before = view.destination();
+    QVERIFY(!desk.window->mapScene()->objectsAt({20, 2}, 6).empty());
+    click(20, 2);
+    QCOMPARE(dock.table()->currentIndex().row(), 0);
+    QVERIFY(dock.table()->selectionModel()->isRowSelected(0));
+    QVERIFY(desk.says(QStringLiteral("Expected at 20.000, 3.000 m")));
+    QVERIFY(desk.window->mapScene()->highlighted().contains({0, 0}));
+    QVERIFY(view.destination() == before);
+    // By submap it is in the row of its submap.
+    dock.findChildren<QCheckBox*>().front()->click();
+    QVERIFY(!dock.table()->currentIndex().isValid());
+    click(20, 2);
+    QCOMPARE(desk.text(dock.table()->currentIndex().row(), ClosuresModel::SubmapColumn),
+             QStringLiteral("0-0"));
+  }
+
+  void theMapShowsWhatIsListed() {
+    Desk desk;
+    ClosuresDock& dock = desk.openDock();
+    QTRY_COMPARE(dock.model()->rowCount(), 3);
+    desk.load();
+    scene::MapScene& scene = *desk.window->mapScene();
+    scene.setLayersVisible({scene::Layer::Closures});
+    // Of what is drawn; the three lines begin at x = 2, 20 and 20, that of a constraint within a submap at 1.
+    const auto on_map = [&] { return scene.layerBounds(scene::Layer::Closures); };
+    using geometry::WorldRect;
+    const auto says = [&](const QString& words) {
+      const auto labels = dock.findChildren<PlainLabel*>();
+      return std::any_of(labels.begin(), labels.end(),
+                         [&](const PlainLabel* label) { return label->text() == words; });
+    };
+    QCOMPARE(on_map(), (WorldRect{2, 0, 20, 3}));
+    auto* const least = dock.findChild<QDoubleSpinBox*>();
+    least->setValue(0.1);
+    QCOMPARE(on_map(), (WorldRect{20, 0, 20, 3}));
+    QVERIFY(says(QStringLiteral("2 of 4 constraints, and only these on the map")));
+    auto* const kinds = dock.findChild<QComboBox*>();
+    least->setValue(0);
+    kinds->setCurrentIndex(1);
+    QCOMPARE(on_map(), (WorldRect{1, 0, 1, 0}));
+    kinds->setCurrentIndex(0);
+    least->setValue(1);
+    // It may be another graph now.
+    desk.graph.graph.constraints[2].relative_pose.y = 4;
+    Q_EMIT desk.robot->mapsChanged();
+    QTRY_COMPARE(on_map(), (WorldRect{20, 0, 20, 4}));
+    scene.setLayerVisible(scene::Layer::Closures, false);
+    QVERIFY(says(QStringLiteral("1 of 4 constraints")));
+    scene.setLayerVisible(scene::Layer::Closures, true);
+    // What a closed panel leaves out cannot be known.
+    dock.close();
+    QCOMPARE(on_map(), (WorldRect{2, 0, 20, 4}));
+    dock.show();
+    QCOMPARE(on_map(), (WorldRect{20, 0, 20, 4}));
   }
 
   void aSquareIsWhereTheRobotShouldLie() {
@@ -270,6 +339,32 @@ class TestWindowClosures : public QObject {
     // Neither: the worst first.
     dock.table()->sortByColumn(-1, Qt::AscendingOrder);
     QCOMPARE(dock.table()->currentIndex().row(), 0);
+  }
+
+  void noHeaderIsCutInANarrowPanel() {
+    Desk desk;
+    desk.open({1366, 768});
+    QVERIFY(!desk.window->connectTo(kAddress));
+    ClosuresDock& dock = *part<ClosuresDock>(*desk.window);
+    dock.toggleViewAction()->trigger();
+    QTRY_COMPARE(dock.model()->rowCount(), 3);
+    const QHeaderView& header = *dock.table()->horizontalHeader();
+    for (const bool by_submap : {false, true}) {
+      dock.findChildren<QCheckBox*>().front()->setChecked(by_submap);
+      for (int sorted = -1; sorted < ClosuresModel::kColumns; ++sorted) {
+        dock.table()->sortByColumn(sorted, Qt::AscendingOrder);
+        for (int column = 0; column < ClosuresModel::kColumns; ++column) {
+          if (header.isSectionHidden(column)) continue;
+          QVERIFY2(header.sectionSize(column) >= header.sectionSizeHint(column),
+                   qPrintable(QStringLiteral("%1 of %2, sorted by %3, has %4 of %5")
+                                  .arg(column)
+                                  .arg(by_submap)
+                                  .arg(sorted)
+                                  .arg(header.sectionSize(column))
+                                  .arg(header.sectionSizeHint(column))));
+        }
+      }
+    }
   }
 
   void residualsOfAMappingRobotAreListedWithoutIds() {

@@ -93,19 +93,24 @@ void NameColumn::fit() {
   const auto missing = [&](int wanted) {
     return wanted + std::accumulate(widths.begin(), widths.end(), 0) - room;
   };
-  for (std::size_t i = 0; i < beside_.size(); ++i) {
-    if (!shown[i] || beside_[i].least_px == 0) continue;
-    // What is hidden is not measured.
-    const int contents = std::max(contentsOf(beside_[i].column), beside_[i].least_px), lack = missing(names);
-    widths[i] +=
-        lack > 0 ? -std::clamp(widths[i] - contents, 0, lack) : std::clamp(contents - widths[i], 0, -lack);
-  }
+  const auto fit_texts = [&] {
+    for (std::size_t i = 0; i < beside_.size(); ++i) {
+      if (!shown[i] || beside_[i].least_px == 0) continue;
+      // What is hidden is not measured.
+      const int contents = std::max(contentsOf(beside_[i].column), beside_[i].least_px),
+                lack = missing(names);
+      widths[i] +=
+          lack > 0 ? -std::clamp(widths[i] - contents, 0, lack) : std::clamp(contents - widths[i], 0, -lack);
+    }
+  };
+  fit_texts();
   const int kept = std::min(names, kLettersKept * view_->fontMetrics().averageCharWidth());
   for (std::size_t i = 0; i < beside_.size() && missing(kept) > 0; ++i) {
     if (!shown[i] || !beside_[i].may_go) continue;
     shown[i] = false;
     widths[i] = 0;
   }
+  fit_texts();  // in the room of what has gone
   for (std::size_t i = 0; i < beside_.size() && missing(kept) > 0; ++i) {
     if (shown[i] && beside_[i].least_px > 0)
       widths[i] -= std::clamp(widths[i] - beside_[i].least_px, 0, missing(kept));

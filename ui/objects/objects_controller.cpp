@@ -289,6 +289,7 @@ void ObjectsController::choose(const scene::ObjectId& id, const Eigen::Vector2d&
   showCard(*chosen_, card_at_m, beneath, true);
   dock_->point(id);
   refresh();
+  if (chosen_) Q_EMIT chose(scene::MapObject(*chosen_));
 }
 
 void ObjectsController::locate(const scene::ObjectId& id) {

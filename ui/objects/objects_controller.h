@@ -44,6 +44,9 @@ class ObjectsController : public Controller {
   bool escape() override;
   ~ObjectsController() override;
 
+ Q_SIGNALS:
+  void chose(const mapwright::scene::MapObject& object);
+
  private:
   void addActions();
   void addToMapMenu();

@@ -22,12 +22,15 @@ namespace {
 constexpr double kAroundShare = 1.5, kAroundLeastM = 0.15, kAroundMostM = 2;
 constexpr double kClosestMPerPx = 0.0005;
 
+ClosureRow rowOf(const map::Closure& one) {
+  return {one.residual_m, one.residual_rad, one.submap, one.node,
+          one.kind,       one.stamp_s,      one.at,     one.expected};
+}
+
 std::vector<ClosureRow> rowsOf(const map::Closures& closures) {
   std::vector<ClosureRow> rows;
   rows.reserve(closures.ranked.size());
-  for (const map::Closure& one : closures.ranked)
-    rows.push_back({one.residual_m, one.residual_rad, one.submap, one.node, one.kind, one.stamp_s, one.at,
-                    one.expected});
+  for (const map::Closure& one : closures.ranked) rows.push_back(rowOf(one));
   return rows;
 }
 
@@ -58,10 +61,29 @@ ClosuresController::ClosuresController(WindowContext& context, QObject* parent)
   connect(dock_, &ClosuresDock::chosen, this, &ClosuresController::show);
   connect(dock_, &ClosuresDock::onMapWanted, this,
           [this](bool shown) { context_.scene.setLayerVisible(layer(), shown); });
-  connect(dock_, &QDockWidget::visibilityChanged, this, &ClosuresController::want);
-  connect(&context_.scene, &scene::MapScene::layersChanged, this,
-          [this] { dock_->setOnMap(context_.scene.layerVisible(layer())); });
-  dock_->setOnMap(context_.scene.layerVisible(layer()));
+  connect(dock_, &ClosuresDock::filtered, this, &ClosuresController::follow);
+  connect(dock_, &QDockWidget::visibilityChanged, this, [this] {
+    want();
+    follow();
+  });
+  connect(&context_.scene, &scene::MapScene::layersChanged, this, &ClosuresController::showOnMap);
+  showOnMap();
+}
+
+void ClosuresController::showOnMap() {
+  dock_->setOnMap(context_.scene.layerVisible(layer()), layer() == scene::Layer::Closures);
+}
+
+void ClosuresController::follow() {
+  const auto all = session_ ? session_->poseGraph().closures() : nullptr;
+  const ClosureFilter& filter = dock_->model()->filter();
+  // Behind another tab it is open, too.
+  if (!all || dock_->isHidden() || filter.listsLoopClosures()) return context_.scene.setClosures(nullptr);
+  const auto listed = std::make_shared<map::Closures>();
+  for (const map::Closure& one : all->ranked) {
+    if (filter.lists(rowOf(one))) listed->ranked.push_back(one);
+  }
+  context_.scene.setClosures(listed);
 }
 
 void ClosuresController::setSession(session::Session* session) {
@@ -97,9 +119,10 @@ void ClosuresController::want() {
 }
 
 void ClosuresController::refresh() {
+  follow();
   if (!dock_->isVisible() && session_) return;
   dock_->setSummary(summary());
-  dock_->setOnMap(context_.scene.layerVisible(layer()));
+  showOnMap();
   if (!session_) return dock_->setRows({});
   const auto& closures = session_->poseGraph().closures();
   dock_->setRows(closures ? rowsOf(*closures) : rowsOf(session_->live().constraints));
@@ -164,9 +187,29 @@ void ClosuresController::show(const ClosureRow& row) {
   object.at_m = (row.at + row.expected) / 2;
   object.parts = {{row.at, row.expected}};
   context_.scene.setMarked(std::move(object));
+  say(row);
+}
+
+void ClosuresController::say(const ClosureRow& row) {
   dock_->setPlaces(row.at, row.expected);
   if (row.submap) Q_EMIT submapShown(*row.submap);
   marked_ = true;
+}
+
+void ClosuresController::chosenOnMap(const scene::MapObject& object) {
+  const bool is_closure = object.id.layer == scene::Layer::Closures && object.parts.size() == 1 &&
+                          object.parts.front().size() == 2;
+  if (!is_closure || dock_->isHidden()) return;
+  context_.panels.open(dock_);
+  const std::vector<ClosureRow>& all = dock_->model()->all();
+  const auto row = std::find_if(all.begin(), all.end(), [&](const ClosureRow& one) {
+    return one.submap && one.node &&
+           map::toText(*one.submap) + ':' + map::toText(*one.node) == object.id.key &&
+           one.at == object.parts.front().front() && one.expected == object.parts.front().back();
+  });
+  if (row == all.end()) return;
+  dock_->point(*row);
+  say(*row);
 }
 
 bool ClosuresController::escape() {

@@ -4,6 +4,7 @@
 #include <QPointer>
 
 #include "scene/layer.h"
+#include "scene/map_object.h"
 #include "session/session.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
@@ -21,6 +22,8 @@ class ClosuresController : public Controller {
   ClosuresDock* dock() const { return dock_; }
   void setSession(session::Session* session) override;
   bool escape() override;
+  /// Of a closure that was clicked on the map, its row becomes the current one: the view stays.
+  void chosenOnMap(const scene::MapObject& object);
 
  Q_SIGNALS:
   /// The one that a closure on show belongs to.
@@ -31,6 +34,10 @@ class ClosuresController : public Controller {
   void want();
   void refresh();
   void show(const ClosureRow& row);
+  void say(const ClosureRow& row);
+  /// What the list leaves out is not drawn while it is open.
+  void follow();
+  void showOnMap();
   QString summary() const;
   /// That draws them: of a robot that only reports residuals another one.
   scene::Layer layer() const;

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QTableView>
 
 #include "sentences/plural.h"
@@ -60,7 +61,6 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   least_->setAccessibleName(tr("Smallest residual that is listed"));
   by_submap_->setToolTip(
       tr("One row for each submap: its worst constraint, and how many contradict the map; Enter lists them"));
-  on_map_->setToolTip(tr("Draw loop closures on the map, coloured by how much they contradict it"));
   only_submap_->setToolTip(tr("List the constraints of all submaps again"));
   only_submap_->hide();
   places_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -72,9 +72,12 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   header->setSortIndicator(-1, Qt::AscendingOrder);
   header->setSortIndicatorClearable(true);
   table_->setSortingEnabled(true);
-  const int letter_px = fontMetrics().averageCharWidth();
+  QFont bold = header->font();  // headers are measured in it
+  bold.setBold(true);
+  const int letter_px = fontMetrics().averageCharWidth(),
+            arrow_px = QFontMetrics(bold).horizontalAdvance(ClosuresModel::roomForArrow()) + 2;
   const auto widen = [&](int column, int letters) {
-    header->resizeSection(column, std::max(letters * letter_px, header->sectionSizeHint(column)));
+    header->resizeSection(column, std::max(letters * letter_px, header->sectionSizeHint(column) + arrow_px));
   };
   for (const int column : {ClosuresModel::ResidualColumn, ClosuresModel::TurnColumn})
     widen(column, kNumberLetters);
@@ -99,6 +102,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
                             rowOf({{count_, 1}}, 0, QMargins(8, 0, 8, 4))},
                            4, QMargins()));
   setWidget(body);
+  connect(header, &QHeaderView::sortIndicatorChanged, this, [this] { columns_->fit(); });
   connect(filter_, &QLineEdit::textChanged, this, &ClosuresDock::applyFilter);
   connect(kinds_, &QComboBox::currentIndexChanged, this, &ClosuresDock::applyFilter);
   connect(least_, &QDoubleSpinBox::valueChanged, this, &ClosuresDock::applyFilter);
@@ -110,7 +114,7 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   connect(on_map_, &QCheckBox::toggled, this, &ClosuresDock::onMapWanted);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& row) {
-            if (row.isValid()) Q_EMIT chosen(model_->row(row.row()));
+            if (row.isValid() && !quiet_) Q_EMIT chosen(model_->row(row.row()));
           });
   // Once more on the row that is current already: back to its place.
   connect(table_, &QTableView::clicked, this,
@@ -148,7 +152,23 @@ void ClosuresDock::setPlaces(const Eigen::Vector2d& at, const Eigen::Vector2d& e
 
 void ClosuresDock::hidePlaces() { places_->hide(); }
 
-void ClosuresDock::setOnMap(bool shown) { on_map_->setChecked(shown); }
+void ClosuresDock::setOnMap(bool shown, bool follows) {
+  follows_ = follows;
+  const QString tip = tr("Draw loop closures on the map, coloured by how much they contradict it");
+  on_map_->setToolTip(follows ? tip + QLatin1Char('\n') +
+                                    tr("Those that are not listed are not drawn while this panel is open")
+                              : tip);
+  on_map_->setChecked(shown);
+  count();
+}
+
+void ClosuresDock::point(const ClosureRow& closure) {
+  const int row = model_->rowOf(closure);
+  if (row < 0) return;
+  const QScopedValueRollback quiet(quiet_, true);
+  table_->setCurrentIndex(model_->index(row, 0));
+  table_->scrollTo(table_->currentIndex());
+}
 
 void ClosuresDock::applyFilter() {
   const auto kind = KindChoice(kinds_->currentData().toInt());
@@ -162,18 +182,22 @@ void ClosuresDock::applyFilter() {
   only_submap_->setVisible(submap_.has_value());
   columns_->fit();
   count();
+  Q_EMIT filtered();
 }
 
 void ClosuresDock::count() {
   const int listed = model_->rowCount();
   const auto all = int(model_->all().size());
   if (by_submap_->isChecked() && all > 0 && !model_->namesSubmaps()) {
-    count_->setText(tr("This robot does not name the submaps of its constraints."));
+    count_->setText(tr("A robot that maps does not name the submaps of its constraints."));
   } else if (by_submap_->isChecked()) {
     count_->setText(sentences::counted(tr("%1 submaps", nullptr, listed), listed));
   } else {
+    const QString some = follows_ && on_map_->isChecked() && !model_->filter().listsLoopClosures()
+                             ? tr("%1 of %2 constraints, and only these on the map")
+                             : tr("%1 of %2 constraints");
     count_->setText(listed == all ? sentences::counted(tr("%1 constraints", nullptr, all), all)
-                                  : tr("%1 of %2 constraints").arg(countText(listed), countText(all)));
+                                  : some.arg(countText(listed), countText(all)));
   }
 }
 

@@ -40,12 +40,15 @@ class ClosuresDock : public QDockWidget {
   /// Of the closure on show, world: where the robot lies, and where it should lie.
   void setPlaces(const Eigen::Vector2d& at, const Eigen::Vector2d& expected);
   void hidePlaces();
-  /// Whether the layer is on the map.
-  void setOnMap(bool shown);
+  /// Whether the layer is on the map, and whether it leaves out what the list leaves out.
+  void setOnMap(bool shown, bool follows);
+  /// Makes its row the current one, as if it were chosen, but stays quiet.
+  void point(const ClosureRow& closure);
 
  Q_SIGNALS:
   void chosen(const mapwright::window::ClosureRow& row);  // by a click, Enter or the arrow keys
   void onMapWanted(bool shown);
+  void filtered();
   /// The menu of a row is about to open: others may add entries. A row of a submap has no node.
   void menuOpening(QMenu* menu, const mapwright::window::ClosureRow& row);
   void shown();
@@ -68,6 +71,7 @@ class ClosuresDock : public QDockWidget {
   QCheckBox *by_submap_, *on_map_;
   QPushButton* only_submap_;
   std::optional<map::SubmapId> submap_;
+  bool quiet_ = false, follows_ = false;
   QTableView* table_;
   PlainLabel* count_;
   NameColumn* columns_ = nullptr;

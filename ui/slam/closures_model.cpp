@@ -22,6 +22,32 @@ QString nameOf(const std::optional<map::NodeId>& id) {
 
 }  // namespace
 
+bool ClosureFilter::lists(const ClosureRow& row) const {
+  static const QRegularExpression whole_id(QStringLiteral("^\\d+-\\d+$"));
+  if (!(row.kind == map::ConstraintKind::Inter ? inter : intra)) return false;
+  if (row.residual_m < least_m || (submap && row.submap != submap)) return false;
+  if (text.isEmpty()) return true;
+  const bool whole = whole_id.match(text).hasMatch();
+  const auto named = [&](const QString& name) { return whole ? name == text : name.startsWith(text); };
+  return named(nameOf(row.submap)) || named(nameOf(row.node));
+}
+
+bool ClosureFilter::listsLoopClosures() const {
+  ClosureFilter all;
+  all.by_submap = by_submap;
+  return *this == all;
+}
+
+int ClosuresModel::rowOf(const ClosureRow& closure) const {
+  const auto found = std::find_if(listed_.begin(), listed_.end(), [&](const Listed& listed) {
+    const ClosureRow& row = rows_[listed.row];
+    return filter_.by_submap ? row.submap == closure.submap
+                             : row.submap == closure.submap && row.node == closure.node &&
+                                   row.at == closure.at && row.expected == closure.expected;
+  });
+  return found == listed_.end() ? -1 : int(found - listed_.begin());
+}
+
 void ClosuresModel::setRows(std::vector<ClosureRow> rows) {
   beginResetModel();
   rows_ = std::move(rows);
@@ -38,19 +64,11 @@ void ClosuresModel::setFilter(ClosureFilter filter) {
 }
 
 void ClosuresModel::list() {
-  static const QRegularExpression whole_id(QStringLiteral("^\\d+-\\d+$"));
-  const bool whole = whole_id.match(filter_.text).hasMatch();
-  const auto named = [&](const QString& name) {
-    return whole ? name == filter_.text : name.startsWith(filter_.text);
-  };
   listed_.clear();
   std::map<map::SubmapId, std::size_t> seen;  // where it is listed
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ClosureRow& row = rows_[i];
-    if (!(row.kind == map::ConstraintKind::Inter ? filter_.inter : filter_.intra)) continue;
-    if (row.residual_m < filter_.least_m) continue;
-    if (filter_.submap && row.submap != filter_.submap) continue;
-    if (!filter_.text.isEmpty() && !named(nameOf(row.submap)) && !named(nameOf(row.node))) continue;
+    if (!filter_.lists(row)) continue;
     if (!filter_.by_submap) {
       listed_.push_back({i});
     } else if (row.submap) {
@@ -157,15 +175,16 @@ QVariant ClosuresModel::headerData(int section, Qt::Orientation orientation, int
       return tr("How many of its constraints contradict the finished map by more than 0.5 m");
   }
   if (role != Qt::DisplayRole) return {};
+  const QString room = section == sort_column_ ? roomForArrow() : QString();
   switch (Column(section)) {
     case ResidualColumn:
-      return tr("Off, m");
+      return tr("Off, m") + room;
     case TurnColumn:
-      return tr("Turn, °");
+      return tr("Turn, °") + room;
     case SubmapColumn:
       return tr("Submap");
     case NodeColumn:
-      return filter_.by_submap ? tr("Over 0.5 m") : tr("Node");
+      return (filter_.by_submap ? tr("Over 0.5 m") : tr("Node")) + room;
     case TimeColumn:
       return filter_.by_submap ? QString() : tr("Time");
     case kColumns:

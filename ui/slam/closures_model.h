@@ -33,6 +33,9 @@ struct ClosureFilter {
   std::optional<map::SubmapId> submap = {};  // only this one's
   bool by_submap = false;
   bool operator==(const ClosureFilter&) const = default;
+  bool lists(const ClosureRow& row) const;
+  /// All loop closures, and nothing else, are listed, maybe by submap.
+  bool listsLoopClosures() const;
 };
 
 class ClosuresModel : public QAbstractTableModel {
@@ -41,6 +44,9 @@ class ClosuresModel : public QAbstractTableModel {
   enum Column { ResidualColumn, TurnColumn, SubmapColumn, NodeColumn, TimeColumn, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
+
+  /// Behind the name of the column that the list is ordered by: the arrow is drawn over what stands there.
+  static QString roomForArrow() { return QString(5, QChar(0xa0)); }
 
   /// Largest residual first.
   void setRows(std::vector<ClosureRow> rows);
@@ -51,6 +57,8 @@ class ClosuresModel : public QAbstractTableModel {
   bool namesSubmaps() const;
   /// Of the table; of a submap its worst.
   const ClosureRow& row(int row) const { return rows_[listed_[std::size_t(row)].row]; }
+  /// Where it is listed, or its submap is; -1 = nowhere.
+  int rowOf(const ClosureRow& closure) const;
 
   int rowCount(const QModelIndex& parent = {}) const override {
     return parent.isValid() ? 0 : int(listed_.size());

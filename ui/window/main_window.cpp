@@ -219,6 +219,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
 void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::clicked, inspector_, &InspectorController::clickedOnMap);
   connect(inspector_, &InspectorController::located, objects_, &ObjectsController::wentTo);
+  connect(objects_, &ObjectsController::chose, closures_, &ClosuresController::chosenOnMap);
   connect(closures_, &ClosuresController::submapShown, inspector_->dock(), &InspectorDock::select);
   connect(closures_->dock(), &ClosuresDock::chosen, disagreement_, &DisagreementController::leavePlace);
   connect(disagreement_, &DisagreementController::wentToPlace, this, [this] {
