@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -32,6 +33,7 @@
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/status_text.h"
 #include "ui/maps/picture_swipe.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
@@ -223,11 +225,14 @@ void ExpectedController::onPicture() {
   const QString actual = folder->filePath(QStringLiteral("actual.png"));
   if (const auto fault = done->picture->write(actual)) return report(sentences::sentenceOf(*fault));
   QString lacks;
+  const auto silent = silentOnline(done->session);
   if (!done->shot.complete())
     lacks = QLatin1Char(' ') +
             (done->end == shot::EndOfWaiting::LinkLost
                  ? tr("The robot is not connected, so not everything has arrived.")
-                 : tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS)));
+             : silent ? tr("Nothing has come from the robot since %1, so not everything has arrived.")
+                            .arg(QLocale::c().toString(*silent, QStringLiteral("HH:mm:ss")))
+                      : tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS)));
   share_.startLong([this, folder, expected = done->expected, actual, facts, lacks] {
     Compared compared = compare(expected, actual, facts);
     compared.sentence += lacks;
