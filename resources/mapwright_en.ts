@@ -805,6 +805,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::PlacesModel</name>
+    <message numerus="yes">
+        <source>and %1 others</source>
+        <translation>
+            <numerusform>and %1 other</numerusform>
+            <numerusform>and %1 others</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::ProblemsDock</name>
     <message numerus="yes">
         <source>%1 problems copied</source>
