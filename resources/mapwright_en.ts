@@ -690,6 +690,13 @@
 <context>
     <name>mapwright::window::LayersDock</name>
     <message numerus="yes">
+        <source>%1 layers that this file has no data for</source>
+        <translation>
+            <numerusform>%1 layer that this file has no data for</numerusform>
+            <numerusform>%1 layers that this file has no data for</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 layers that these files have no data for</source>
         <translation>
             <numerusform>%1 layer that these files have no data for</numerusform>

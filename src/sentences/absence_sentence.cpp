@@ -24,39 +24,53 @@ QString argument(const Absence& absence) {
 
 struct Lack {
   Capability capability;
-  const char* text;
+  const char* of_robot;
+  const char* of_file = of_robot;
 };
 
 constexpr Lack kLacks[] = {
     {Capability::Submaps, QT_TRANSLATE_NOOP("Absence", "There are no submaps here, only whole maps.")},
-    {Capability::Catalogue, QT_TRANSLATE_NOOP("Absence", "This robot does not list its maps.")},
-    {Capability::WholeMaps, QT_TRANSLATE_NOOP("Absence", "This robot provides no whole map.")},
-    {Capability::Overview, QT_TRANSLATE_NOOP("Absence", "This robot provides no overview of its map.")},
-    {Capability::Waypoints, QT_TRANSLATE_NOOP("Absence", "This robot provides no waypoints.")},
-    {Capability::WaypointEditing, QT_TRANSLATE_NOOP("Absence", "The waypoints of this robot are read-only.")},
+    {Capability::Catalogue, QT_TRANSLATE_NOOP("Absence", "This robot does not list its maps."),
+     QT_TRANSLATE_NOOP("Absence", "This file has no list of maps.")},
+    {Capability::WholeMaps, QT_TRANSLATE_NOOP("Absence", "This robot provides no whole map."),
+     QT_TRANSLATE_NOOP("Absence", "There is no whole map in this file.")},
+    {Capability::Overview, QT_TRANSLATE_NOOP("Absence", "This robot provides no overview of its map."),
+     QT_TRANSLATE_NOOP("Absence", "There is no overview of a map in this file.")},
+    {Capability::Waypoints, QT_TRANSLATE_NOOP("Absence", "This robot provides no waypoints."),
+     QT_TRANSLATE_NOOP("Absence", "There are no waypoints in this file.")},
+    {Capability::WaypointEditing, QT_TRANSLATE_NOOP("Absence", "The waypoints of this robot are read-only."),
+     QT_TRANSLATE_NOOP("Absence", "Waypoints cannot be edited in this file.")},
     {Capability::Live, QT_TRANSLATE_NOOP("Absence", "There is no live data here.")},
     {Capability::Administration,
-     QT_TRANSLATE_NOOP("Absence", "The maps of this robot cannot be changed from here.")},
+     QT_TRANSLATE_NOOP("Absence", "The maps of this robot cannot be changed from here."),
+     QT_TRANSLATE_NOOP("Absence", "Local maps are named after their files, and no robot uses them.")},
     {Capability::PictureEditing,
-     QT_TRANSLATE_NOOP("Absence", "The pictures of this robot's maps are read-only.")},
+     QT_TRANSLATE_NOOP("Absence", "The pictures of this robot's maps are read-only."),
+     QT_TRANSLATE_NOOP("Absence", "There is no picture in this file that can be edited.")},
     {Capability::OverlayEditing,
-     QT_TRANSLATE_NOOP("Absence", "This robot keeps no overlays that can be edited.")},
-    {Capability::Bags, QT_TRANSLATE_NOOP("Absence", "This robot has no bags that can be replayed.")},
+     QT_TRANSLATE_NOOP("Absence", "This robot keeps no overlays that can be edited."),
+     QT_TRANSLATE_NOOP("Absence", "There are no overlays in this file that can be edited.")},
+    {Capability::Bags, QT_TRANSLATE_NOOP("Absence", "This robot has no bags that can be replayed."),
+     QT_TRANSLATE_NOOP("Absence", "There is nothing in this file that can be replayed.")},
     {Capability::Dispatch,
      QT_TRANSLATE_NOOP("Absence",
-                       "This robot does not send parts of its map: no regions, no clouds, no projections.")},
+                       "This robot does not send parts of its map: no regions, no clouds, no projections."),
+     QT_TRANSLATE_NOOP("Absence", "This is a file: there is no robot to fetch from.")},
     {Capability::Localization,
-     QT_TRANSLATE_NOOP("Absence", "The position of this robot cannot be set from here.")},
+     QT_TRANSLATE_NOOP("Absence", "The position of this robot cannot be set from here."),
+     QT_TRANSLATE_NOOP("Absence", "This is a file: there is no robot whose position could be set.")},
     {Capability::MapTransfer,
      QT_TRANSLATE_NOOP("Absence",
-                       "The maps of this robot cannot be downloaded whole, and none can be added.")},
+                       "The maps of this robot cannot be downloaded whole, and none can be added."),
+     QT_TRANSLATE_NOOP("Absence", "This is a file: there is no robot to download maps from.")},
     {Capability::PoseGraph, QT_TRANSLATE_NOOP("Absence", "There is no pose graph here.")},
 };
 
 /// What there is none of, whatever the reason.
-QString nothing(Capability capability) {
+QString nothing(Capability capability, bool in_file = false) {
   for (const Lack& lack : kLacks) {
-    if (lack.capability == capability) return QCoreApplication::translate("Absence", lack.text);
+    if (lack.capability == capability)
+      return QCoreApplication::translate("Absence", in_file ? lack.of_file : lack.of_robot);
   }
   return {};
 }
@@ -122,11 +136,7 @@ QString absenceReason(Capability capability, const Absence& absence) {
             .arg(words::plainName(absence.arguments.front()));
       if (capability == Capability::Live)
         return AbsenceText::tr("This is a local map: there is no robot, so nothing moves on it.");
-      if (capability == Capability::Dispatch)
-        return AbsenceText::tr("This is a file: there is no robot to fetch from.");
-      if (capability == Capability::Administration)
-        return AbsenceText::tr("Local maps are named after their files, and no robot uses them.");
-      break;
+      return nothing(capability, true);
   }
   return nothing(capability);
 }

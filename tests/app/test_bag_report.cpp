@@ -230,7 +230,7 @@ class BagReportTest : public QObject {
     const auto beside =
         report(QStringList{file, QStringLiteral("--against"), QStringLiteral("a.png")} + rest);
     for (const auto* const done : {&told, &beside}) QCOMPARE(done->code, 2);
-    QCOMPARE(told.err, QStringLiteral("a.png: This robot has no bags that can be replayed.\n"));
+    QCOMPARE(told.err, QStringLiteral("a.png: There is nothing in this file that can be replayed.\n"));
     QVERIFY(beside.err.startsWith(QLatin1String("--against a.png is not a recording.")));
     QVERIFY(!QFile::exists(program_.path("no.html")));
   }

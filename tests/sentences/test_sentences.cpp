@@ -267,6 +267,15 @@ class SentencesTest : public QObject {
       QCOMPARE(sentences::absenceReason(changing, {Absence::Reason::LocalFiles, {"drive.bag"}}),
                QStringLiteral("This is a replay of drive.bag: nothing can be changed."));
   }
+
+  void noRobotIsBlamedForWhatAFileLacks() {
+    for (int capability = 0; capability <= int(Capability::PoseGraph); ++capability) {
+      const QString said =
+          sentences::absenceReason(Capability(capability), {Absence::Reason::LocalFiles, {}});
+      QVERIFY2(!said.isEmpty() && !said.contains(QStringLiteral("this robot"), Qt::CaseInsensitive),
+               qPrintable(said));
+    }
+  }
 };
 
 }  // namespace test_sentences

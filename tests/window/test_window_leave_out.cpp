@@ -12,6 +12,10 @@
 #include "../pbstream/state_bytes.h"
 #include "robot/pbstream/state_robot.h"
 #include "test_program.h"
+#include "ui/layers/fold_header.h"
+#include "ui/layers/layer_row.h"
+#include "ui/layers/layers_dock.h"
+#include "ui/robot/robot_dock.h"
 #include "ui/slam/closures_dock.h"
 #include "ui/slam/leave_out_controller.h"
 #include "window_bench.h"
@@ -129,6 +133,24 @@ struct FileDesk {
 class TestWindowLeaveOut : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void aStateFileIsNotTakenForARobot() {
+    FileDesk desk;
+    using scene::Layer;
+    auto& layers = *part<LayersDock>(*desk.window);
+    for (const Layer of_robots : {Layer::Robot, Layer::Footprint, Layer::Trail, Layer::Track, Layer::Cloud,
+                                  Layer::Path, Layer::NearbyRobots, Layer::WholeMap, Layer::Overlays})
+      QVERIFY2(!layers.row(of_robots)->unavailable().isEmpty(), qPrintable(scene::layerName(of_robots)));
+    for (const Layer of_file :
+         {Layer::Submaps, Layer::Trajectory, Layer::Closures, Layer::Landmarks, Layer::Outlines, Layer::Grid})
+      QVERIFY2(layers.row(of_file)->unavailable().isEmpty(), qPrintable(scene::layerName(of_file)));
+    QVERIFY(layers.unavailableHeader()->text().contains(QStringLiteral("this file has no data for")));
+    for (const scene::LegendSection& section : desk.window->mapScene()->legend(1))
+      QVERIFY2(section.title != scene::layerTitle(Layer::Robot), qPrintable(section.title));
+    part<RobotDock>(*desk.window)->show();
+    part<RobotDock>(*desk.window)->raise();
+    QTRY_VERIFY(part<RobotDock>(*desk.window)->limitsShown().contains(QStringLiteral("there is no robot")));
+  }
+
   void aClosureGoesIntoANewFileThatIsOfferedToBeOpened() {
     Asking asking;
     QVERIFY(asking.dialog.noteText().contains(QStringLiteral("No pose changes: Cartographer optimises")));

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "robot/robot.h"
+#include "scene/layer_reason.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -151,7 +152,7 @@ void LayersDock::setSession(session::Session* session) {
 void LayersDock::updateAvailability() {
   bool changed = false;
   for (LayerRow* row : rows_) {
-    const QString reason = session_ ? scene::specOf(row->layer()).why_empty(session_->robot()) : QString();
+    const QString reason = session_ ? scene::whyEmpty(row->layer(), session_->robot()) : QString();
     changed |= reason != row->unavailable();
     row->setUnavailable(reason);
     updateTopics(row);
@@ -238,11 +239,13 @@ void LayersDock::layOutUnavailable() {
   if (lacking.empty()) return;
   const bool files = session_ && session_->robot().unavailableReason(robot::Capability::Live).reason ==
                                      robot::Absence::Reason::LocalFiles;
+  const bool one_file = files && session_->robot().liveTopics();  // a map has several
   const auto count = qint64(lacking.size());
   const int form = sentences::formOf(count);
   unavailable_->setTitle(
-      sentences::counted(files ? tr("%1 layers that these files have no data for", nullptr, form)
-                               : tr("%1 layers that this robot has no data for", nullptr, form),
+      sentences::counted(one_file ? tr("%1 layers that this file has no data for", nullptr, form)
+                         : files  ? tr("%1 layers that these files have no data for", nullptr, form)
+                                  : tr("%1 layers that this robot has no data for", nullptr, form),
                          count));
   put(unavailable_);
   if (!unavailable_->open() && filter_->text().trimmed().isEmpty()) return;

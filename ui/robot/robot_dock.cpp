@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "robot/offers_topics.h"
+#include "robot/slam_file.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
@@ -123,7 +124,10 @@ void RobotDock::refresh() {
     stale_->setText(
         tr("Values as of %1, no longer live").arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss"))));
   }
-  const QString limits = session_ ? sentences::limitsOf(session_->robot()) : QString();
+  const bool is_state_file = session_ && !robot::slamFileOf(session_->robot()).isEmpty();
+  const QString limits = is_state_file ? tr("This is a file: there is no robot whose state could be shown.")
+                         : session_    ? sentences::limitsOf(session_->robot())
+                                       : QString();
   limits_->setText(words::plainText(limits));
   limits_->setVisible(!limits.isEmpty());
   setTextColor(*limits_, appColors().secondary_text);

@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 
 #include "robot/robot.h"
+#include "robot/slam_file.h"
+#include "scene/layer_reason.h"
 #include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
@@ -108,6 +110,20 @@ QString noMapFeaturesReason(robot::Robot& robot) {
   return robot.wholeMapSource() || robot.liveTopics()
              ? QString()
              : QCoreApplication::translate("scene", "This robot does not provide this.");
+}
+
+QString whyEmpty(Layer layer, robot::Robot& robot) {
+  const LayerSpec& spec = specOf(layer);
+  const QString why = spec.why_empty(robot);
+  robot::LiveTopics* const live = robot.liveTopics();
+  if (!why.isEmpty() || !live || robot::slamFileOf(robot).isEmpty()) return why;
+  // A state file knows all that it has.
+  map::Streams needed = spec.streams;
+  needed.insert(spec.always_on.begin(), spec.always_on.end());
+  if (needed.empty() && spec.why_empty != noLiveDataReason) return {};
+  const bool has = std::any_of(needed.begin(), needed.end(),
+                               [&](map::Stream stream) { return !live->topicsOf(stream).isEmpty(); });
+  return has ? QString() : QCoreApplication::translate("scene", "There is nothing for it in this file.");
 }
 
 }  // namespace mapwright::scene

@@ -10,6 +10,7 @@
 #include "render/grid_palettes.h"
 #include "render/sample_grid.h"
 #include "robot/robot.h"
+#include "scene/layer_reason.h"
 #include "scene/map_scene.h"
 #include "scene/scene_items.h"
 
@@ -182,7 +183,7 @@ std::vector<LegendSection> MapScene::legend(qreal pixel_ratio) const {
   for (auto it = items_->order.rbegin(); it != items_->order.rend(); ++it) {
     const LayerSpec& spec = specOf(*it);
     if (!spec.legend || !layerVisible(*it) || (difference && hiddenByDifference(*it))) continue;
-    if (session_ && !spec.why_empty(session_->robot()).isEmpty()) continue;
+    if (session_ && !whyEmpty(*it, session_->robot()).isEmpty()) continue;
     source.style = layerStyle(*it);
     source.opacity = layerOpacity(*it);
     Legend legend(*it, source);

@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include "geometry/pose.h"
+#include "robot/slam_file.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
@@ -194,7 +195,8 @@ void InspectorDock::refreshSummary() {
     return;
   }
   const session::SubmapCounts counts = session->counts();
-  state_->setText(slamStateText(*session));
+  const bool is_file = !robot::slamFileOf(session_->robot()).isEmpty();
+  state_->setText(is_file ? tr("a file: nothing is being mapped") : slamStateText(*session));
   // Old values are not present ones.
   const auto stale = valuesAsOf(*session);
   if (stale) {

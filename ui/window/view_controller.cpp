@@ -2,6 +2,7 @@
 
 #include <QMenu>
 
+#include "robot/slam_file.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
@@ -214,9 +215,13 @@ bool ViewController::escape() {
 }
 
 void ViewController::follow(bool on) {
-  context_.view.setFollowing(on);
-  const session::Session* const session = context_.current.session();
-  if (on && context_.scene.robotPlace().drawn == scene::ScreenPart::None) {
+  session::Session* const session = context_.current.session();
+  const bool nobody = on && session && !robot::slamFileOf(session->robot()).isEmpty();
+  context_.view.setFollowing(on && !nobody);
+  if (nobody) {
+    follow_->setChecked(false);
+    context_.overlay.toasts()->add(Mark::Neutral, tr("This is a file: there is no robot to follow."));
+  } else if (on && context_.scene.robotPlace().drawn == scene::ScreenPart::None) {
     context_.overlay.toasts()->add(
         Mark::Warning, tr("The robot is not in this map. The view will follow it again in its own map."));
   } else if (on && session && !session->live().robot_pose) {

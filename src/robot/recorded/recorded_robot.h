@@ -73,7 +73,7 @@ class RecordedRobot : public Robot, public OffersTopics {
   WaypointSource* waypointSource() override { return &waypoints_; }
   LiveTopics* liveTopics() override { return &topics_; }
   BagLibrary* bagLibrary() override { return &library_; }
-  Absence unavailableReason(Capability) const override { return {}; }
+  Absence unavailableReason(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
   std::optional<std::vector<OfferedTopic>> offered() const override { return facts_.offered; }
   QStringList choicesFor(map::Stream stream) const override;
   void choose(const TopicChoices& choices) override;

@@ -1,0 +1,13 @@
+// Why a robot, or a file, has nothing for a layer.
+#pragma once
+
+#include <QString>
+
+#include "scene/layer.h"
+
+namespace mapwright::scene {
+
+/// A sentence; empty: it may have something.
+QString whyEmpty(Layer layer, robot::Robot& robot);
+
+}  // namespace mapwright::scene
