@@ -201,7 +201,13 @@ class MapSceneTest : public QObject {
     QCOMPARE(painted().pixel(60, 40), kUnknown);
   }
 
-  void theIdOfAHighlightedSubmapIsReadInBothThemes() {
+  void theNamesOfAHighlightedSubmapAndOfAClosureAreReadInBothThemes_data() {
+    QTest::addColumn<bool>("closure");
+    QTest::newRow("submap") << false;
+    QTest::newRow("closure") << true;
+  }
+  void theNamesOfAHighlightedSubmapAndOfAClosureAreReadInBothThemes() {
+    QFETCH(bool, closure);
     // Relative luminance as in WCAG 2.
     const auto luminance = [](const QColor& color) {
       const auto linear = [](double part) {
@@ -214,7 +220,12 @@ class MapSceneTest : public QObject {
     for (const bool dark : {false, true}) {
       const scene::MapTheme theme = dark ? scene::darkMapTheme() : scene::lightMapTheme();
       scene_->setTheme(theme);
-      scene_->setHighlighted({{0, 0}});
+      if (!closure) scene_->setHighlighted({{0, 0}});
+      scene::MapObject object;
+      object.id.layer = Layer::Closures;
+      object.form = scene::ObjectForm::Line;
+      object.parts = {{{0, 0}, {0.1, 0}}};
+      if (closure) scene_->setMarked(object);
       QTRY_VERIFY(scene_->settled());
       const QImage image = painted();
       // The lines of the frame are less bright, or less dark, than the letters.

@@ -153,6 +153,8 @@ class TestWindowClosures : public QObject {
     QVERIFY(desk.says(QStringLiteral("Expected at 20.000, 3.000 m")));
     QVERIFY(desk.window->mapScene()->highlighted().contains({0, 0}));
     QVERIFY(view.destination() == before);
+    QVERIFY(
+        dock.table()->viewport()->rect().contains(dock.table()->visualRect(dock.table()->currentIndex())));
     // By submap it is in the row of its submap.
     dock.findChildren<QCheckBox*>().front()->click();
     QVERIFY(!dock.table()->currentIndex().isValid());

@@ -58,7 +58,8 @@ void paintPlaces(QPainter& painter, const LayerContext& context, const map::Poly
   strokeTwice(painter, context.theme, 2,
               [&] { painter.drawRect(squareAround(places.p2(), kExpectedSquarePx / 2)); });
   for (const PlaceName& name : namesOf(context, places))
-    context.ink->draw(painter, name.box.topLeft(), name.text, context.theme, context.theme.accent);
+    context.ink->draw(painter, name.box.topLeft(), name.text, context.theme,
+                      readable(context.theme.accent, context.theme));
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   only_submap_->setToolTip(tr("List the constraints of all submaps again"));
   only_submap_->hide();
   places_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  places_->hide();
+  // It has its room at all times: a row must not move away while it is being clicked.
+  places_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   showRows(*table_, model_, tr("Constraints"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   QHeaderView* const header = table_->horizontalHeader();
@@ -132,7 +133,9 @@ ClosuresDock::~ClosuresDock() {
 void ClosuresDock::setSummary(const QString& text) { summary_->setText(text); }
 
 void ClosuresDock::setRows(std::vector<ClosureRow> rows) {
+  const bool had_none = model_->all().empty();
   model_->setRows(std::move(rows));
+  if (had_none || model_->all().empty()) hidePlaces();
   columns_->fit();
   count();
 }
@@ -147,10 +150,13 @@ void ClosuresDock::setPlaces(const Eigen::Vector2d& at, const Eigen::Vector2d& e
     return QStringLiteral("%1, %2 m").arg(where.x(), 0, 'f', 3).arg(where.y(), 0, 'f', 3);
   };
   places_->setText(tr("Lies at %1\nExpected at %2").arg(place(at), place(expected)));
-  places_->show();
 }
 
-void ClosuresDock::hidePlaces() { places_->hide(); }
+void ClosuresDock::hidePlaces() {
+  places_->setText(model_->all().empty()
+                       ? QString()
+                       : tr("Choose a row, or click its line on the map, to see where it lies."));
+}
 
 void ClosuresDock::setOnMap(bool shown, bool follows) {
   follows_ = follows;
