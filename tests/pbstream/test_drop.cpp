@@ -282,6 +282,16 @@ class DropTest : public QObject {
     QCOMPARE(result.file.recordsOf(RecordKind::Imu), quint64(1));
   }
 
+  void whatCannotBeWrittenIsCalledAsItWasAskedFor() {
+    Dropped what;
+    what.submaps = {{0, 1}};
+    const std::string to = folder_.path("no folder/new.pbstream");
+    const auto receipt = drop(folder_.write(wholeFile()), what, to);
+    QVERIFY(!receipt);
+    QVERIFY2(inEnglish(receipt.error()).starts_with(to + " cannot be written"),
+             inEnglish(receipt.error()).c_str());
+  }
+
   void nothingIsWrittenOver() {
     Dropped what;
     what.submaps = {{0, 1}};
