@@ -133,9 +133,8 @@ ClosuresDock::~ClosuresDock() {
 void ClosuresDock::setSummary(const QString& text) { summary_->setText(text); }
 
 void ClosuresDock::setRows(std::vector<ClosureRow> rows) {
-  const bool had_none = model_->all().empty();
   model_->setRows(std::move(rows));
-  if (had_none || model_->all().empty()) hidePlaces();
+  if (!shows_places_ || model_->all().empty()) hidePlaces();
   columns_->fit();
   count();
 }
@@ -149,17 +148,20 @@ void ClosuresDock::setPlaces(const Eigen::Vector2d& at, const Eigen::Vector2d& e
   const auto place = [](const Eigen::Vector2d& where) {
     return QStringLiteral("%1, %2 m").arg(where.x(), 0, 'f', 3).arg(where.y(), 0, 'f', 3);
   };
+  shows_places_ = true;
   places_->setText(tr("Lies at %1\nExpected at %2").arg(place(at), place(expected)));
 }
 
 void ClosuresDock::hidePlaces() {
-  places_->setText(model_->all().empty()
-                       ? QString()
-                       : tr("Choose a row, or click its line on the map, to see where it lies."));
+  shows_places_ = false;
+  places_->setText(model_->all().empty() ? QString()
+                   : follows_ ? tr("Choose a row, or click its line on the map, to see where it lies.")
+                              : tr("Choose a row to see where it lies."));
 }
 
 void ClosuresDock::setOnMap(bool shown, bool follows) {
   follows_ = follows;
+  if (!shows_places_) hidePlaces();
   const QString tip = tr("Draw loop closures on the map, coloured by how much they contradict it");
   on_map_->setToolTip(follows ? tip + QLatin1Char('\n') +
                                     tr("Those that are not listed are not drawn while this panel is open")

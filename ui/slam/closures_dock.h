@@ -71,7 +71,7 @@ class ClosuresDock : public QDockWidget {
   QCheckBox *by_submap_, *on_map_;
   QPushButton* only_submap_;
   std::optional<map::SubmapId> submap_;
-  bool quiet_ = false, follows_ = false;
+  bool quiet_ = false, follows_ = false, shows_places_ = false;
   QTableView* table_;
   PlainLabel* count_;
   NameColumn* columns_ = nullptr;
