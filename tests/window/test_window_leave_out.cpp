@@ -18,6 +18,7 @@
 #include "ui/robot/robot_dock.h"
 #include "ui/slam/closures_dock.h"
 #include "ui/slam/leave_out_controller.h"
+#include "ui/view/map_view.h"
 #include "window_bench.h"
 
 namespace test_window_leave_out {
@@ -146,6 +147,9 @@ class TestWindowLeaveOut : public QObject {
     QVERIFY(layers.unavailableHeader()->text().contains(QStringLiteral("this file has no data for")));
     for (const scene::LegendSection& section : desk.window->mapScene()->legend(1))
       QVERIFY2(section.title != scene::layerTitle(Layer::Robot), qPrintable(section.title));
+    QAction* const follow = desk.window->actionList().find(QLatin1String("follow"));
+    follow->trigger();
+    QVERIFY(!follow->isChecked() && !part<MapView>(*desk.window)->following());
     part<RobotDock>(*desk.window)->show();
     part<RobotDock>(*desk.window)->raise();
     QTRY_VERIFY(part<RobotDock>(*desk.window)->limitsShown().contains(QStringLiteral("there is no robot")));

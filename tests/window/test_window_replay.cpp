@@ -435,6 +435,10 @@ class TestWindowReplay : public QObject {
     if (robot_left) desk.action("disconnect")->trigger();
     desk.acceptOffer();
     QTRY_VERIFY(desk.isReplay() && desk.clock().isOpen());
+    // The file is not a robot.
+    const QString said = part<MapOverlay>(*desk.window)->notice()->sentence();
+    QVERIFY2(said.contains(QStringLiteral("not live")) && !said.contains(QStringLiteral("robot")),
+             qPrintable(said));
     QCOMPARE(desk.timeline().backButton()->text(),
              robot_left ? QStringLiteral("Close the replay") : QStringLiteral("Back to the robot"));
     QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);

@@ -439,7 +439,10 @@ void ReplayController::refresh() {
   Notice notice;
   if (robot && clock_->isOpen()) {
     notice.mark = Mark::Busy;
-    notice.sentence = tr("Replay of %1, not live. The robot is not changed.").arg(bagCalled(*robot));
+    // Of a file there is none that could be.
+    notice.sentence = (robot->isLocal() ? tr("Replay of %1, not live.")
+                                        : tr("Replay of %1, not live. The robot is not changed."))
+                          .arg(bagCalled(*robot));
     // Nothing may look as if it had been recorded.
     const session::MapSlot& slot = context_.current.session()->wholeMap();
     const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();

@@ -123,7 +123,7 @@ QString whyEmpty(Layer layer, robot::Robot& robot) {
   if (needed.empty() && spec.why_empty != noLiveDataReason) return {};
   const bool has = std::any_of(needed.begin(), needed.end(),
                                [&](map::Stream stream) { return !live->topicsOf(stream).isEmpty(); });
-  return has ? QString() : QCoreApplication::translate("scene", "There is nothing for it in this file.");
+  return has ? QString() : QCoreApplication::translate("scene", "There is nothing of the kind in this file.");
 }
 
 }  // namespace mapwright::scene
