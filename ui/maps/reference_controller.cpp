@@ -460,9 +460,8 @@ void ReferenceController::showAlignment() {
       if (found_->second) figures << scored(tr("Second best"), *found_->second);
     }
     if (as_found && found_->best) {
-      figures << tr("Overlap: %1").arg(align::overlapText(found_->agreement))
-              << tr("Walls of the reference map: %1").arg(align::distancesText(found_->agreement.forward))
-              << tr("Walls of the map on screen: %1").arg(align::distancesText(found_->agreement.backward));
+      figures << tr("Overlap: %1").arg(align::overlapText(found_->agreement));
+      shown.agreement = found_->agreement;
     }
     shown.figures = figures.join(QLatin1Char('\n'));
   }

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -24,6 +25,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
+#include "words/fixed.h"
 
 namespace mapwright::window {
 
@@ -47,6 +49,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
       cancel_(compactButton(tr("Cancel"), running_)),
       said_(textLabel(QString(), this)),
       figures_(textLabel(QString(), this)),
+      agreement_(new QWidget(this)),
       candidates_(new QWidget(this)),
       best_(compactButton(tr("Show the best candidate"), candidates_,
                           tr("Lay the reference map there to look at it"))),
@@ -78,7 +81,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   makeLine(*progress_);
   progress_->setAccessibleName(tr("Progress"));
   running_->setLayout(rowOf({{progress_, 1}, cancel_}, 8, QMargins()));
-  setTextColor(*figures_, appColors().secondary_text);
+  makeAgreement();
   auto* const candidates = new WrappingRow(QMargins());
   candidates->add(best_);
   candidates->add(second_);
@@ -97,6 +100,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             said_,
                             candidates_,
                             figures_,
+                            agreement_,
                             differences_,
                             form,
                             {table_, 1},
@@ -122,6 +126,31 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   setState({}, {});
   setAlignment({});
   setWhyNoDifferences(tr("There is no reference map."));
+}
+
+void ReferenceDock::makeAgreement() {
+  auto* const grid = new QGridLayout(agreement_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(2);
+  const auto put = [&](const QString& text, int row, int column) {
+    auto* const label = textLabel(text, agreement_);
+    label->setWordWrap(column == 0);
+    grid->addWidget(label, row, column, column == 0 ? Qt::AlignLeft : Qt::AlignRight);
+    return label;
+  };
+  put(tr("Walls"), 0, 0);
+  put(tr("Reference"), 0, 1)->setToolTip(tr("How far the walls of the reference map are from one on screen"));
+  put(tr("On screen"), 0, 2)
+      ->setToolTip(tr("How far the walls of the map on screen are from one of the reference map"));
+  const QString rows[] = {tr("Within 10 cm"), tr("Median"), tr("95 % within"), tr("Largest"), tr("Compared")};
+  for (int row = 0; row < int(distances_.size()); ++row) {
+    put(rows[row], row + 1, 0);
+    for (int side = 0; side < 2; ++side)
+      distances_[std::size_t(row)][std::size_t(side)] = put(QString(), row + 1, side + 1);
+  }
+  grid->setColumnStretch(0, 1);
+  agreement_->setToolTip(tr("Distances to the nearest wall of the other map, where that knows something"));
 }
 
 ReferenceDock::~ReferenceDock() {
@@ -175,6 +204,18 @@ void ReferenceDock::setAlignment(const AlignmentShown& shown) {
   said_->setVisible(!shown.said.isEmpty());
   figures_->setText(shown.figures);
   figures_->setVisible(!shown.figures.isEmpty());
+  agreement_->setVisible(shown.agreement.has_value());
+  for (int side = 0; side < 2 && shown.agreement; ++side) {
+    const align::WallDistances& walls = side == 0 ? shown.agreement->forward : shown.agreement->backward;
+    const auto percent = [](double share, int digits) {
+      return QStringLiteral("%1 %").arg(words::fixed(share * 100, digits));
+    };
+    const QString texts[] = {percent(walls.within_10cm, 1), scene::lengthText(walls.median_m),
+                             scene::lengthText(walls.p95_m), scene::lengthText(walls.max_m),
+                             percent(walls.seen_share, 0)};
+    for (std::size_t row = 0; row < distances_.size(); ++row)
+      distances_[row][std::size_t(side)]->setText(texts[row]);
+  }
   candidates_->setVisible(shown.offers);
   second_->setVisible(shown.has_second);
   best_->setEnabled(!shown.best_laid);

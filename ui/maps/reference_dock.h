@@ -1,11 +1,14 @@
 // The reference map: which one, how it lies, and by which pairs of points.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include <QDockWidget>
 #include <QString>
 
+#include "align/align.h"
 #include "geometry/pose.h"
 #include "placing/align.h"
 
@@ -24,8 +27,9 @@ class PlainLabel;
 /// What the dock says about aligning by the walls.
 struct AlignmentShown {
   bool running = false;
-  QString said, figures;  // empty = nothing
-  bool offers = false;    // candidates to look at
+  QString said, figures;                      // empty = nothing
+  std::optional<align::Agreement> agreement;  // of what is laid, or would be
+  bool offers = false;                        // candidates to look at
   bool best_laid = false, second_laid = false, has_second = false;
 };
 
@@ -80,6 +84,7 @@ class ReferenceDock : public QDockWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void makeAgreement();
   void applyTyped();
   void removeSelected();
 
@@ -89,6 +94,8 @@ class ReferenceDock : public QDockWidget {
   QProgressBar* progress_;
   QPushButton* cancel_;
   QLabel *said_, *figures_;
+  QWidget* agreement_;  // how far the walls of each map are off
+  std::array<std::array<QLabel*, 2>, 5> distances_{};
   QWidget* candidates_;
   QPushButton *best_, *second_;
   QCheckBox* differences_;
