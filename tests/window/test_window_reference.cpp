@@ -566,6 +566,23 @@ class TestWindowReference : public QObject {
     QVERIFY(near(bench.reference()->pose(), kTurnedBack, 0.02));
   }
 
+  void anotherMapOfTheRobotIsAligned() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms());
+    bench.robot->maps.pictures["2"] = Site::rooms().turned().map({map::MapKind::Stored, "2"});
+    const std::size_t before = bench.robot->maps.opened.size();
+    Q_EMIT part<MapsController>(*bench.window)->alignWanted({map::MapKind::Stored, "2"});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")), 60'000);
+    QVERIFY(near(bench.reference()->pose(), kTurnedBack, 0.02));
+    QCOMPARE(bench.robot->maps.opened.size(), before + 1);
+    QCOMPARE(bench.window->session()->wholeMap().shown().key.id, std::string("1"));
+    // Its place is remembered; the robot is not asked for it again by itself.
+    bench.say("Other hall");
+    bench.say("Hall");
+    QCOMPARE(bench.robot->maps.opened.size(), before + 1);
+    QVERIFY(near(bench.reference()->pose(), kTurnedBack, 0.02));
+  }
+
   void withoutAWholeMapThereIsNothingToAlignWith() {
     ReferenceBench bench;
     bench.openOnRobot();

@@ -37,6 +37,7 @@ MapsController::MapsController(WindowContext& context, QObject* parent)
   });
   connect(dock_, &MapsDock::openWanted, this, &MapsController::open);
   connect(dock_, &MapsDock::compareWanted, this, &MapsController::compareWanted);
+  connect(dock_, &MapsDock::alignWanted, this, &MapsController::alignWanted);
   connect(dock_, &MapsDock::exportWanted, this, &MapsController::openToExport);
   connect(dock_, &MapsDock::forgetWanted, this, &MapsController::forget);
   connect(dock_, &MapsDock::copyWanted, this,

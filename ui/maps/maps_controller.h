@@ -24,6 +24,7 @@ class MapsController : public Controller {
 
  Q_SIGNALS:
   void compareWanted(const mapwright::map::MapKey& key);
+  void alignWanted(const mapwright::map::MapKey& key);
   /// The open map has been read; export it.
   void exportWanted();
   void retryWanted();

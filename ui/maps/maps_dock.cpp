@@ -357,6 +357,12 @@ void MapsDock::showMenu(const QPoint& at) {
   open->setToolTip(tr("Show it here. This loads and changes nothing on the robot."));
   menu.addAction(themedIcon(QStringLiteral("compare")), tr("Compare with the open map"), this,
                  [this, key] { Q_EMIT compareWanted(*key); });
+  QAction* const align =
+      menu.addAction(tr("Align with the open map"), this, [this, key] { Q_EMIT alignWanted(*key); });
+  const bool is_open = session_->wholeMap().shown().key == *key || !session_->wholeMap().cells();
+  align->setEnabled(!is_open);
+  align->setToolTip(
+      tr("Find out where this map lies on the open one, and lay it under it as the reference map"));
   menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,
                  [this, key] { Q_EMIT exportWanted(*key); });
   Q_EMIT menuOpening(&menu, *key);

@@ -38,6 +38,7 @@ class MapsDock : public QDockWidget {
   /// To be downloaded, and opened.
   void submapsWanted(const mapwright::map::MapKey& key);
   void compareWanted(const mapwright::map::MapKey& key);
+  void alignWanted(const mapwright::map::MapKey& key);
   void exportWanted(const mapwright::map::MapKey& key);
   /// The fetched map is no longer needed.
   void forgetWanted(const mapwright::map::MapKey& key);

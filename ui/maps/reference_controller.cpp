@@ -35,6 +35,9 @@ namespace {
 
 constexpr std::size_t kMostPairs = 200;
 
+/// The address of a map that the robot itself has: it is not remembered, but where it lay is.
+const QString kOfRobot = QStringLiteral("robot:");
+
 QString keyOf(const QString& current_map) {
   const QByteArray digest =
       QCryptographicHash::hash(current_map.toUtf8(), QCryptographicHash::Sha256).toHex().left(32);
@@ -219,7 +222,7 @@ void ReferenceController::remember() {
         QJsonObject{{QStringLiteral("pose"), numbers({laid_.pose.x_m, laid_.pose.y_m, laid_.pose.yaw_rad})},
                     {QStringLiteral("pairs"), pairs}};
   }
-  all[QStringLiteral("map")] = address_;
+  all[QStringLiteral("map")] = address_.startsWith(kOfRobot) ? QString() : address_;
   all[QStringLiteral("laid")] = laid;
   context_.settings.setValue(keyOf(current_map_),
                              QString::fromUtf8(QJsonDocument(all).toJson(QJsonDocument::Compact)));
@@ -245,22 +248,47 @@ void ReferenceController::lay(const QString& address, bool align) {
     return;
   }
   // What is laid stays until another map is there.
+  auto source = sourceOf(address);
+  if (!source) return context_.overlay.toasts()->add(Mark::Bad, source.error());
+  coming_ = std::move(source->reader);
+  if (coming_) coming_->connectToRobot();
+  if (align) {
+    forgetAlignment();
+    say(tr("Fetching the map…"));
+  }
+  source->maps->fetch(
+      source->key, [this, address, align, number = ++coming_number_](robot::Outcome<map::WholeMap> answer) {
+        if (number != coming_number_) return;
+        if (align) say({});
+        if (!answer) return showFailure(answer.error());
+        onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
+        address_ = address;
+        reader_ = std::move(coming_);
+        slot_.clear();
+        slot_.show(std::move(*answer));
+        remember();
+        if (align) this->align();
+      });
+}
+
+void ReferenceController::alignWithMap(const map::MapKey& key) {
+  context_.panels.open(dock_);
+  lay(kOfRobot + QString::fromStdString(map::toText(key)), true);
+}
+
+tl::expected<ReferenceController::Source, QString> ReferenceController::sourceOf(const QString& address) {
+  const QString none = tr("This is not a map file.");
+  if (address.startsWith(kOfRobot)) {
+    session::Session* const session = context_.current.session();
+    robot::WholeMapSource* const maps = session ? session->robot().wholeMapSource() : nullptr;
+    if (!maps) return tl::make_unexpected(none);
+    return Source{nullptr, maps, map::mapKeyFromText(address.mid(kOfRobot.size()).toStdString())};
+  }
   auto reader = read_(address);
-  robot::WholeMapSource* const source = reader && *reader ? (*reader)->wholeMapSource() : nullptr;
-  if (!source)
-    return context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is not a map file.") : reader.error());
-  coming_ = std::move(*reader);
-  coming_->connectToRobot();
-  source->fetch({map::MapKind::File, {}}, [this, address, align](robot::Outcome<map::WholeMap> answer) {
-    if (!answer) return showFailure(answer.error());
-    onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
-    address_ = address;
-    reader_ = std::move(coming_);
-    slot_.clear();
-    slot_.show(std::move(*answer));
-    remember();
-    if (align) this->align();
-  });
+  if (!reader) return tl::make_unexpected(reader.error());
+  robot::WholeMapSource* const maps = *reader ? (*reader)->wholeMapSource() : nullptr;
+  if (!maps) return tl::make_unexpected(none);
+  return Source{std::move(*reader), maps, {map::MapKind::File, {}}};
 }
 
 void ReferenceController::showFailure(const map::Failure& failure) {
@@ -292,6 +320,7 @@ void ReferenceController::removeMap() {
 void ReferenceController::load(const QString& address) {
   forgetSteps();
   forgetAlignment();
+  ++coming_number_;
   address_ = address;
   reader_.reset();
   coming_.reset();
@@ -300,25 +329,25 @@ void ReferenceController::load(const QString& address) {
     useTool(false, false);
     return show();
   }
-  auto reader = read_(address);
-  robot::WholeMapSource* const source = reader && *reader ? (*reader)->wholeMapSource() : nullptr;
+  auto source = sourceOf(address);
   if (!source) {
-    context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is not a map file.") : reader.error());
+    context_.overlay.toasts()->add(Mark::Bad, source.error());
     address_.clear();
     return show();
   }
-  reader_ = std::move(*reader);
-  reader_->connectToRobot();
-  slot_.expect({map::MapKind::File, {}}, {});
-  source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
-    if (address != address_) return;
-    if (answer) return slot_.show(std::move(*answer));
-    showFailure(answer.error());
-    slot_.clear();
-    // It stays remembered: a folder that is away today may be there tomorrow.
-    address_.clear();
-    show();
-  });
+  reader_ = std::move(source->reader);
+  if (reader_) reader_->connectToRobot();
+  slot_.expect(source->key, {});
+  source->maps->fetch(source->key,
+                      [this, address, number = coming_number_](robot::Outcome<map::WholeMap> answer) {
+                        if (number != coming_number_ || address != address_) return;
+                        if (answer) return slot_.show(std::move(*answer));
+                        showFailure(answer.error());
+                        slot_.clear();
+                        // It stays remembered: a folder that is away today may be there tomorrow.
+                        address_.clear();
+                        show();
+                      });
   show();
 }
 

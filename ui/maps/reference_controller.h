@@ -44,6 +44,8 @@ class ReferenceController : public Controller {
   void lay(const QString& address) { lay(address, false); }
   /// The same, and aligns it with the map on screen.
   void alignWith(const QString& address) { lay(address, true); }
+  /// With another map of the robot.
+  void alignWithMap(const map::MapKey& key);
   void removeMap();
   const geometry::Pose2& pose() const { return laid_.pose; }
 
@@ -68,7 +70,15 @@ class ReferenceController : public Controller {
     }
   };
 
+  /// Where a map comes from.
+  struct Source {
+    std::unique_ptr<robot::Robot> reader;  // null: the robot itself
+    robot::WholeMapSource* maps;
+    map::MapKey key;
+  };
+
   void choose(bool align);
+  tl::expected<Source, QString> sourceOf(const QString& address);
   void lay(const QString& address, bool align);
   /// As soon as both maps are read.
   void align();
@@ -111,6 +121,7 @@ class ReferenceController : public Controller {
   QUndoStack steps_;
   QPointer<QUndoStack> other_steps_;  // what Ctrl+Z was about before
   int drag_ = 0;
+  int coming_number_ = 0;           // answers to earlier requests do not count
   bool align_next_ = false;         // when both maps are read
   std::optional<Aligned> aligned_;  // what is being aligned, or was
   geometry::Pose2 pose_before_;     // how the map lay then

@@ -249,6 +249,7 @@ void MainWindow::connectControllers() {
   connect(picture_, &PictureController::fileWanted, files_, &FilesController::open);
   connect(transfer_, &TransferController::openWanted, files_, &FilesController::open);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
+  connect(maps_, &MapsController::alignWanted, reference_, &ReferenceController::alignWithMap);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   connect(maps_->dock(), &MapsDock::submapsWanted, transfer_, &TransferController::openSubmaps);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
