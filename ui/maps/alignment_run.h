@@ -3,12 +3,15 @@
 
 #include <atomic>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include <QObject>
 
 #include "align/align.h"
+#include "fault/fault.h"
 #include "placing/align.h"
+#include "render/compositor.h"
 #include "render/sample_grid.h"
 #include "work/workers.h"
 
@@ -20,8 +23,10 @@ class AlignmentRun : public QObject {
   explicit AlignmentRun(std::shared_ptr<work::Workers> workers, QObject* parent = nullptr);
   ~AlignmentRun() override;
 
+  /// Submaps are composed first. They are in ascending order of their ids.
+  using NewMap = std::variant<render::PlacedGrid, std::vector<render::PlacedTexture>>;
   /// Where `old_map` lies on `new_map`.
-  void start(render::PlacedGrid old_map, render::PlacedGrid new_map, std::vector<placing::PointPair> pairs);
+  void start(render::PlacedGrid old_map, NewMap new_map, std::vector<placing::PointPair> pairs);
   /// Nothing is heard of it any more.
   void cancel();
   bool running() const { return running_; }
@@ -29,6 +34,7 @@ class AlignmentRun : public QObject {
  Q_SIGNALS:
   void progressed(double done);  // 0..1
   void finished(const mapwright::align::Alignment& found);
+  void failed(const mapwright::Fault& fault);  // the submaps cannot be composed
 
  private:
   std::shared_ptr<work::Workers> workers_;

@@ -359,8 +359,9 @@ void MapsDock::showMenu(const QPoint& at) {
                  [this, key] { Q_EMIT compareWanted(*key); });
   QAction* const align =
       menu.addAction(tr("Align with the open map"), this, [this, key] { Q_EMIT alignWanted(*key); });
-  const bool is_open = session_->wholeMap().shown().key == *key || !session_->wholeMap().cells();
-  align->setEnabled(!is_open);
+  const session::MapSlot& open_map = session_->wholeMap();
+  const bool is_open = open_map.cells() && open_map.shown().key == *key;
+  align->setEnabled(session_->counts().shown > 0 || (open_map.cells() && !is_open));
   align->setToolTip(
       tr("Find out where this map lies on the open one, and lay it under it as the reference map"));
   menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,

@@ -14,6 +14,7 @@
 #include "align/alignment_sentence.h"
 #include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
@@ -165,6 +166,10 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(dock_, &ReferenceDock::differencesWanted, this, &ReferenceController::syncDifferences);
   connect(&run_, &AlignmentRun::progressed, dock_, &ReferenceDock::setProgress);
   connect(&run_, &AlignmentRun::finished, this, &ReferenceController::onAligned);
+  connect(&run_, &AlignmentRun::failed, this, [this](const Fault& fault) {
+    forgetAlignment();
+    say(sentences::wordsOf(fault));
+  });
   connect(&slot_, &session::MapSlot::changed, this, &ReferenceController::show);
   connect(&slot_, &session::MapSlot::rowsArrived, this, [this] { context_.scene.referenceRowsArrived(); });
 }
@@ -182,6 +187,13 @@ void ReferenceController::setSession(session::Session* session) {
     onCurrentMapChanged();
     checkAlignment();
     syncDifferences();
+  });
+  using session::Session;
+  connect(session, &Session::listChanged, this, &ReferenceController::onSubmapsChanged);
+  connect(session, &Session::submapsPlaced, this, &ReferenceController::onSubmapsChanged);
+  connect(session, &Session::submapsRemoved, this, &ReferenceController::onSubmapsChanged);
+  connect(session, &Session::sessionRestarted, this, [this] {
+    if (aligned_ && !aligned_->map) forgetAlignment();
   });
   onCurrentMapChanged();
 }
@@ -398,12 +410,27 @@ void ReferenceController::setPairs(const QString& what, std::vector<placing::Poi
   change(what, {pose, std::move(pairs)});
 }
 
-std::optional<ReferenceController::Aligned> ReferenceController::alignable() const {
+std::optional<ReferenceController::Aligned> ReferenceController::alignable(bool submaps) const {
   const session::Session* const session = context_.current.session();
-  if (!session || !slot_.cells() || !session->wholeMap().cells()) return std::nullopt;
+  if (!session || !slot_.cells()) return std::nullopt;
+  const render::PlacedGrid reference{slot_.cells(), slot_.reference()};
   const session::MapSlot& whole = session->wholeMap();
-  return Aligned{
-      {slot_.cells(), slot_.reference()}, {whole.cells(), whole.reference()}, whole.shown().key, laid_.pairs};
+  if (submaps) return Aligned{reference, std::nullopt, {}, laid_.pairs};
+  if (!whole.cells()) return std::nullopt;
+  return Aligned{reference, render::PlacedGrid{whole.cells(), whole.reference()}, whole.shown().key,
+                 laid_.pairs};
+}
+
+bool ReferenceController::showsSubmaps() const {
+  const session::Session* const session = context_.current.session();
+  if (!session || session->counts().shown == 0) return false;
+  const bool whole = session->wholeMap().cells() && context_.scene.layerVisible(scene::Layer::WholeMap);
+  return !whole;
+}
+
+void ReferenceController::onSubmapsChanged() {
+  if (!aligned_ || aligned_->map || std::exchange(submaps_changed_, true)) return;
+  showAlignment();
 }
 
 void ReferenceController::align() {
@@ -418,19 +445,23 @@ void ReferenceController::align() {
 }
 
 void ReferenceController::checkAlignment() {
-  const std::optional<Aligned> now = alignable();
+  const bool submaps = aligned_ ? !aligned_->map : showsSubmaps();
+  const std::optional<Aligned> now = alignable(submaps);
   const session::Session* const session = context_.current.session();
-  if (align_next_ && now && slot_.settled() && session->wholeMap().settled()) {
+  if (align_next_ && now && slot_.settled() && (submaps || session->wholeMap().settled())) {
     align_next_ = false;
     aligned_ = now;
+    submaps_changed_ = false;
     pose_before_ = laid_.pose;
     dock_->setProgress(0);
-    run_.start(now->reference, now->map, now->pairs);
+    run_.start(
+        now->reference,
+        submaps ? AlignmentRun::NewMap(context_.scene.placedTextures()) : AlignmentRun::NewMap(*now->map),
+        now->pairs);
   } else if (align_next_) {
-    if (session && session->wholeMap().settled() && !session->wholeMap().cells()) {
+    if (session && !submaps && session->wholeMap().settled() && !session->wholeMap().cells()) {
       align_next_ = false;
-      said_ = tr(
-          "There is no whole map on screen to align with. Open one first. Submaps can be exported as a map.");
+      said_ = tr("There is no map on screen to align with. Open one first.");
     }
   } else if (aligned_ && !(now && now->sameAs(*aligned_))) {
     forgetAlignment();
@@ -481,7 +512,8 @@ void ReferenceController::showAlignment() {
     const bool as_found = shown.best_laid || (!found_->sure() && laid_.pose == pose_before_);
     shown.said = as_found || shown.second_laid ? align::alignmentText(*found_)
                                                : tr("The reference map was moved since it was aligned.");
-    if (const auto now = alignable(); now && !(now->map == aligned_->map))
+    const auto now = alignable(!aligned_->map);
+    if (aligned_->map ? now && !(now->map == aligned_->map) : submaps_changed_)
       shown.said = tr("The map on screen has changed since then. As it was: %1").arg(shown.said);
     QStringList figures;
     if (shown.offers) {

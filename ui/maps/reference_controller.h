@@ -61,7 +61,8 @@ class ReferenceController : public Controller {
   class Step;
   /// What an alignment is about.
   struct Aligned {
-    render::PlacedGrid reference, map;
+    render::PlacedGrid reference;
+    std::optional<render::PlacedGrid> map;  // nullopt: the submaps
     map::MapKey map_key;
     std::vector<placing::PointPair> pairs;
     /// It still is, although the map on screen may have changed.
@@ -84,7 +85,10 @@ class ReferenceController : public Controller {
   void align();
   void onAligned(const align::Alignment& found);
   void layCandidate(bool second);
-  std::optional<Aligned> alignable() const;
+  std::optional<Aligned> alignable(bool submaps) const;
+  /// Rather than a whole map.
+  bool showsSubmaps() const;
+  void onSubmapsChanged();
   void say(const QString& sentence);
   /// Starts what waits, and ends what does not hold any more.
   void checkAlignment();
@@ -125,6 +129,7 @@ class ReferenceController : public Controller {
   bool align_next_ = false;         // when both maps are read
   std::optional<Aligned> aligned_;  // what is being aligned, or was
   geometry::Pose2 pose_before_;     // how the map lay then
+  bool submaps_changed_ = false;    // since then
   std::optional<align::Alignment> found_;
   QString said_;  // instead of a result
   AlignmentRun run_;
