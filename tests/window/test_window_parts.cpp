@@ -152,16 +152,17 @@ class TestWindowParts : public QObject {
                             "selectAllWaypoints "
                             "invertWaypoints nextWarning revertWaypoints pictureTool pictureCopies "
                             "overlayTool * copyWaypoints pasteWaypoints "
-                            "importWaypoints exportWaypoints"));
+                            "importWaypoints exportWaypoints referenceTool"));
     QCOMPARE(
         idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
-        QStringLiteral("zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft "
-                       "rotateRight - pan "
-                       "measure fetchRegion cloudRegion cloudSection projections referenceTool - "
-                       "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
-                       "mapProperties - "
-                       "copyCoordinates "
-                       "screenshotCopy screenshotSave"));
+        QStringLiteral(
+            "zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft "
+            "rotateRight - pan "
+            "measure fetchRegion cloudRegion cloudSection projections - "
+            "compare referenceMap alignMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
+            "mapProperties - "
+            "copyCoordinates "
+            "screenshotCopy screenshotSave"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture "
                             "layerPresetsMenu - * * * * - filter findObject focusMap nextPane previousPane "

@@ -105,8 +105,8 @@ struct ReferenceBench : Bench {
     };
     MainWindow& opened = openOnRobot();
     part<MapsController>(opened)->open({map::MapKind::Stored, "1"});
-    [&] { QTRY_VERIFY(window->session()->wholeMap().cells()); }();
     lay();
+    [&] { QTRY_VERIFY(window->session()->wholeMap().settled() && this->reference()->isRead()); }();
     return opened;
   }
   ReferenceDock* dock() { return part<ReferenceDock>(*window); }

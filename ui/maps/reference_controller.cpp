@@ -106,7 +106,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
                          if (address_.isEmpty()) choose(false);
                        });
   context_.actions.add({.id = "alignMap",
-                        .text = tr("Ali&gn with another map…"),
+                        .text = tr("&Align with another map…"),
                         .icon = "layers",
                         .tip = tr("Find out where another map lies on the one on screen, and lay it there"),
                         .needs_session = true,
@@ -119,7 +119,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
                                        .text = tr("Move the refere&nce map"),
                                        .tip = tr("Drag or turn the reference map, or add pairs of points"),
                                        .toggle = true,
-                                       .menu = {MenuGroup::Tools, 200}});
+                                       .menu = {MenuGroup::Waypoints, 90}});
   tool_action_->setEnabled(false);
   context_.tools.add(tool_, tool_action_);
   connect(tool_action_, &QAction::toggled, this, [this](bool on) {
@@ -441,6 +441,7 @@ void ReferenceController::align() {
            "remove all pairs but one."));
   }
   align_next_ = true;
+  dock_->setProgress(0);
   checkAlignment();
 }
 
@@ -448,17 +449,17 @@ void ReferenceController::checkAlignment() {
   const bool submaps = aligned_ ? !aligned_->map : showsSubmaps();
   const std::optional<Aligned> now = alignable(submaps);
   const session::Session* const session = context_.current.session();
-  if (align_next_ && now && slot_.settled() && (submaps || session->wholeMap().settled())) {
+  if (align_next_ && now && isRead() && (submaps || session->wholeMap().settled())) {
     align_next_ = false;
     aligned_ = now;
     submaps_changed_ = false;
     pose_before_ = laid_.pose;
-    dock_->setProgress(0);
     run_.start(
         now->reference,
         submaps ? AlignmentRun::NewMap(context_.scene.placedTextures()) : AlignmentRun::NewMap(*now->map),
         now->pairs);
   } else if (align_next_) {
+    if (slot_.phase() == session::MapSlot::Phase::Failed) align_next_ = false;
     if (session && !submaps && session->wholeMap().settled() && !session->wholeMap().cells()) {
       align_next_ = false;
       said_ = tr("There is no map on screen to align with. Open one first.");
@@ -493,7 +494,7 @@ void ReferenceController::say(const QString& sentence) {
 }
 
 void ReferenceController::showAlignment() {
-  AlignmentShown shown{.running = run_.running(), .said = said_, .figures = {}};
+  AlignmentShown shown{.running = run_.running() || align_next_, .said = said_, .figures = {}};
   if (run_.running()) {
     shown.said = tr("Looking for the place by the walls…");
   } else if (align_next_) {

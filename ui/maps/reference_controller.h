@@ -48,6 +48,8 @@ class ReferenceController : public Controller {
   void alignWithMap(const map::MapKey& key);
   void removeMap();
   const geometry::Pose2& pose() const { return laid_.pose; }
+  /// All of the reference map is there.
+  bool isRead() const { return slot_.cells() && slot_.settled(); }
 
   void setSession(session::Session* session) override;
 
