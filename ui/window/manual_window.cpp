@@ -31,14 +31,23 @@ namespace mapwright::window {
 namespace {
 
 /// In reading order; docs/manual.qrc has the same ones, and the package installs them.
-constexpr const char* kPages[] = {"docs/getting-started.md", "docs/window.md",
-                                  "docs/tasks/waypoints.md", "docs/tasks/overlays.md",
-                                  "docs/tasks/pictures.md",  "docs/tasks/mapping.md",
-                                  "docs/tasks/poses.md",     "docs/tasks/replay.md",
-                                  "docs/tasks/compare.md",   "docs/tasks/map-quality.md",
-                                  "docs/command-line.md",    "docs/json.md",
-                                  "docs/files.md",           "docs/troubleshooting.md",
-                                  "docs/simulator.md",       "docs/maps-in-ci.md",
+constexpr const char* kPages[] = {"docs/getting-started.md",
+                                  "docs/window.md",
+                                  "docs/tasks/waypoints.md",
+                                  "docs/tasks/overlays.md",
+                                  "docs/tasks/pictures.md",
+                                  "docs/tasks/mapping.md",
+                                  "docs/tasks/poses.md",
+                                  "docs/tasks/replay.md",
+                                  "docs/tasks/compare.md",
+                                  "docs/tasks/new-map.md",
+                                  "docs/tasks/map-quality.md",
+                                  "docs/command-line.md",
+                                  "docs/json.md",
+                                  "docs/files.md",
+                                  "docs/troubleshooting.md",
+                                  "docs/simulator.md",
+                                  "docs/maps-in-ci.md",
                                   "docs/same-bytes.md"};
 constexpr int kPageRole = Qt::UserRole, kPositionRole = Qt::UserRole + 1;
 constexpr int kMostHits = 200, kMostMarks = 1000, kPicturePx = 720, kMarginPx = 16;
