@@ -316,25 +316,53 @@ void WaypointTransfer::paste() {
 void WaypointTransfer::pasteCopied(const std::string& geojson) {
   auto wanted = exchange::wantedFromGeoJson(geojson);
   if (!wanted) return say(false, tr("The clipboard cannot be pasted. %1").arg(wanted.error()));
+  // As new ones: in another map these ids are meaningless, in this one they belong to others.
+  for (exchange::WantedWaypoint& one : wanted->points) one.id = exchange::freshKey();
+  const auto added = addNew(std::move(wanted->points), tr("paste %1"), tr("%1 pasted"));
+  if (!added) say(false, tr("The clipboard cannot be pasted. %1").arg(added.error()));
+}
+
+std::vector<edit::Key> WaypointTransfer::carryOver(const std::vector<map::Waypoint>& points) {
+  if (!editing_->editable() || points.empty()) return {};
+  std::vector<edit::Key> keys;
+  std::vector<exchange::WantedWaypoint> wanted;
+  for (const map::Waypoint& point : points) {
+    keys.push_back(exchange::freshKey());
+    exchange::WantedWaypoint one{.row = int(keys.size()), .id = keys.back()};
+    if (!point.name.empty()) one.name = point.name;
+    if (!point.type.empty()) one.type = point.type;
+    one.position_m = point.position_m;
+    one.yaw_rad = point.yaw_rad;
+    one.tags = point.tags;
+    wanted.push_back(std::move(one));
+  }
+  const auto added = addNew(std::move(wanted), tr("carry over %1"),
+                            tr("%1 carried over. Nothing has been sent or saved yet."));
+  if (added) return keys;
+  say(false, tr("Nothing was carried over. %1").arg(added.error()));
+  return {};
+}
+
+tl::expected<void, QString> WaypointTransfer::addNew(std::vector<exchange::WantedWaypoint> points,
+                                                     const QString& what, const QString& made) {
   std::set<std::string> taken;
   std::map<std::string, int> numbers;
   for (const auto& [key, point] : editing_->document()->items()) taken.insert(point.name);
-  // As new ones: in another map these ids are meaningless, in this one they belong to others.
-  for (exchange::WantedWaypoint& one : wanted->points) {
-    one.id.clear();
+  for (exchange::WantedWaypoint& one : points) {
     if (one.name) one.name = freeName(*one.name, taken, numbers);
   }
-  exchange::nameNameless(wanted->points, editing_->document()->items(), tr("Waypoint %1"));
-  auto edits = exchange::editsFor({}, wanted->points, exchange::Others::Go);
-  if (!edits) return say(false, tr("The clipboard cannot be pasted. %1").arg(edits.error()));
+  exchange::nameNameless(points, editing_->document()->items(), tr("Waypoint %1"));
+  auto edits = exchange::editsFor({}, points, exchange::Others::Go);
+  if (!edits) return exchange::wrong(edits.error());
   exchange::FittedEdits fitted = exchange::fitted(std::move(*edits), editing_->keeps());
   for (auto& edit : fitted.edits) {
     if (edit.after) edit.after->id = edit.key;
   }
-  QStringList said{tr("%1 pasted").arg(waypointsText(qsizetype(fitted.edits.size())))};
-  editing_->make(std::move(fitted.edits), tr("paste %1"));
+  QStringList said{made.arg(waypointsText(qsizetype(fitted.edits.size())))};
+  editing_->make(std::move(fitted.edits), what);
   context_.overlay.toasts()->add(fitted.notes.isEmpty() ? Mark::Good : Mark::Warning,
                                  (said + fitted.notes).join(QLatin1Char('\n')));
+  return {};
 }
 
 void WaypointTransfer::importFile(const QString& path) {

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QObject>
 #include <QPointer>
+#include <tl/expected.hpp>
 
 #include "exchange/waypoint_file.h"
 #include "exchange/waypoint_plan.h"
@@ -84,6 +85,9 @@ class WaypointTransfer : public QObject {
   /// Waypoints of this program at once, as one command; a table after a look at what it changes.
   void paste();
   void importFile(const QString& path);
+  /// Waypoints of another map of the site, at their places on this one: new ones, as one command. Their keys
+  /// in this order; empty: nothing has changed, and the user was told why.
+  std::vector<edit::Key> carryOver(const std::vector<map::Waypoint>& points);
   /// All of the list; .csv is CSV, else GeoJSON.
   void exportTo(const QString& path);
   ImportDialog* dialog() const { return dialog_; }  // null = none is open
@@ -96,6 +100,10 @@ class WaypointTransfer : public QObject {
   void refresh();
   void ask(ImportSource source);
   void pasteCopied(const std::string& geojson);
+  /// As new ones, under free names; the ids are their keys. `what` and `made` have %1 for what it is about.
+  /// The error is a sentence.
+  tl::expected<void, QString> addNew(std::vector<exchange::WantedWaypoint> points, const QString& what,
+                                     const QString& made);
   void say(bool good, const QString& text);
   std::vector<map::Waypoint> listed(const std::set<edit::Key>* only) const;
 
