@@ -391,6 +391,10 @@ void ReferenceController::show() {
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
   checkAlignment();
   syncDifferences();
+  const bool whole = there && slot_.settled() && reader_;
+  Q_EMIT laidChanged(
+      whole ? std::optional(LaidMap{{slot_.cells(), slot_.reference()}, laid_.pose, reader_.get()})
+            : std::nullopt);
 }
 
 void ReferenceController::setLaid(Laid laid) {

@@ -21,6 +21,7 @@
 #include "ui/kit/controller.h"
 #include "ui/maps/alignment_run.h"
 #include "ui/maps/map_files.h"
+#include "ui/shell/laid_map.h"
 #include "ui/shell/window_context.h"
 
 class QAction;
@@ -52,6 +53,10 @@ class ReferenceController : public Controller {
   bool isRead() const { return slot_.cells() && slot_.settled(); }
 
   void setSession(session::Session* session) override;
+
+ Q_SIGNALS:
+  /// Which one, or how it lies; nullopt = none, or it is still being read.
+  void laidChanged(const std::optional<mapwright::window::LaidMap>& laid);
 
  private:
   /// How it lies.

@@ -56,6 +56,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
       second_(compactButton(tr("Show the second best"), candidates_,
                             tr("Lay the reference map there to look at it"))),
       differences_(new QCheckBox(tr("Differences"), this)),
+      carry_(compactButton(tr("Carry over waypoints…"), this)),
       model_(new QStandardItemModel(0, 3, this)),
       table_(new QuietTableView(this)) {
   setObjectName(QStringLiteral("reference"));
@@ -102,6 +103,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             figures_,
                             agreement_,
                             differences_,
+                            rowOf({carry_, LayoutItem::rest()}),
                             form,
                             {table_, 1},
                             told_,
@@ -117,6 +119,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(best_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(false); });
   connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
   connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
+  connect(carry_, &QPushButton::clicked, this, &ReferenceDock::carryWanted);
   connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
   connect(fit_, &QPushButton::clicked, this, &ReferenceDock::fitWanted);
   connect(clear_, &QPushButton::clicked, this, &ReferenceDock::pairsUnwanted);
@@ -126,6 +129,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   setState({}, {});
   setAlignment({});
   setWhyNoDifferences(tr("There is no reference map."));
+  setWhyNotCarried(tr("There is no reference map."));
 }
 
 void ReferenceDock::makeAgreement() {
@@ -231,6 +235,13 @@ void ReferenceDock::setWhyNoDifferences(const QString& why) {
   differences_->setToolTip(
       why.isEmpty() ? tr("Show what differs between the reference map and the map on screen: red is not on "
                          "the reference map, blue is only there")
+                    : why);
+}
+
+void ReferenceDock::setWhyNotCarried(const QString& why) {
+  carry_->setEnabled(why.isEmpty());
+  carry_->setToolTip(
+      why.isEmpty() ? tr("Find out what becomes of the waypoints of the reference map on the map on screen")
                     : why);
 }
 

@@ -48,6 +48,8 @@ class ReferenceDock : public QDockWidget {
   void setProgress(double done);
   /// Empty: differences can be shown.
   void setWhyNoDifferences(const QString& why);
+  /// Empty: its waypoints can be carried over.
+  void setWhyNotCarried(const QString& why);
 
   QPushButton* removeButton() const { return remove_; }
   QPushButton* moveButton() const { return move_; }
@@ -57,6 +59,7 @@ class ReferenceDock : public QDockWidget {
   QPushButton* bestButton() const { return best_; }
   QPushButton* secondButton() const { return second_; }
   QCheckBox* differencesBox() const { return differences_; }
+  QPushButton* carryButton() const { return carry_; }
   QTableView* table() const { return table_; }
   QDoubleSpinBox* xBox() const { return x_; }
   QDoubleSpinBox* yBox() const { return y_; }
@@ -79,6 +82,7 @@ class ReferenceDock : public QDockWidget {
   void alignCancelled();
   void candidateWanted(bool second);
   void differencesWanted(bool shown);
+  void carryWanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -99,6 +103,7 @@ class ReferenceDock : public QDockWidget {
   QWidget* candidates_;
   QPushButton *best_, *second_;
   QCheckBox* differences_;
+  QPushButton* carry_;
   QDoubleSpinBox *x_, *y_, *yaw_;
   QStandardItemModel* model_;
   QTableView* table_;

@@ -26,6 +26,7 @@
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/name_editor.h"
 #include "ui/waypoints/waypoint_arranging.h"
+#include "ui/waypoints/waypoint_carrying.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_review.h"
@@ -56,13 +57,16 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   });
   addActions();
   transfer_ = new WaypointTransfer(context_, &editing_, tool_, this);
+  carrying_ = new WaypointCarrying(context_, &editing_, transfer_, placing_->warnings(), this);
   on_map_->setWarnings(placing_->warnings());
   dock_->setWarnings(placing_->warnings());
   placing_->arranging()->setListOrder([this] { return dock_->selectedAsListed(); });
   connect(dock_, &WaypointsDock::nextWarningWanted, placing_, &WaypointPlacing::showNextWarning);
-  connect(placing_, &WaypointPlacing::made, this, [this] {
+  const auto focus_undo = [this] {
     if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
-  });
+  };
+  connect(placing_, &WaypointPlacing::made, this, focus_undo);
+  connect(carrying_, &WaypointCarrying::carried, this, focus_undo);
   connect(&editing_, &WaypointEditing::renameWanted, this, &WaypointsController::askName);
   connect(&editing_, &WaypointEditing::removalRefused, this,
           [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
@@ -335,6 +339,7 @@ void WaypointsController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
+  carrying_->refresh();
   updateDecision(decideText());
   updateUnsaved();
 }

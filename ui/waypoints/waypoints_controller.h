@@ -18,6 +18,7 @@ class QMenu;
 namespace mapwright::window {
 
 class NameEditor;
+class WaypointCarrying;
 class WaypointPlacing;
 class WaypointReview;
 class WaypointTool;
@@ -47,6 +48,7 @@ class WaypointsController : public EditorController {
   edit::OpenWaypoints* list() const { return list_.get(); }
   WaypointTransfer* transfer() const { return transfer_; }
   WaypointReview* review() const { return review_; }
+  WaypointCarrying* carrying() const { return carrying_; }
   NameEditor* nameEditor() const { return name_editor_; }
   QMessageBox* discardQuestion() const { return discard_question_; }  // null: nothing is asked
 
@@ -92,6 +94,7 @@ class WaypointsController : public EditorController {
   edit::Key named_;  // by the line on the map
   WaypointTransfer* transfer_;
   WaypointReview* review_;
+  WaypointCarrying* carrying_ = nullptr;
   QAction *tool_action_ = nullptr, *revert_action_ = nullptr;
   std::optional<map::Failure> reported_failure_;  // that of the last save
   bool said_decide_ = false;

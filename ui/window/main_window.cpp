@@ -28,6 +28,7 @@
 #include "ui/maps/maps_dock.h"
 #include "ui/maps/pose_controller.h"
 #include "ui/maps/reference_controller.h"
+#include "ui/maps/reference_dock.h"
 #include "ui/maps/transfer_controller.h"
 #include "ui/objects/objects_controller.h"
 #include "ui/overlays/overlays_controller.h"
@@ -59,6 +60,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/edit_controller.h"
+#include "ui/waypoints/waypoint_carrying.h"
 #include "ui/waypoints/waypoints_controller.h"
 #include "window/appearance_controller.h"
 #include "window/help_controller.h"
@@ -251,6 +253,10 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::alignWanted, reference_, &ReferenceController::alignWithMap);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
+  WaypointCarrying* const carrying = waypoints_->carrying();
+  connect(reference_, &ReferenceController::laidChanged, carrying, &WaypointCarrying::setLaid);
+  connect(carrying, &WaypointCarrying::possibleChanged, reference_->dock(), &ReferenceDock::setWhyNotCarried);
+  connect(reference_->dock(), &ReferenceDock::carryWanted, carrying, &WaypointCarrying::open);
   connect(maps_->dock(), &MapsDock::submapsWanted, transfer_, &TransferController::openSubmaps);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);

@@ -1,0 +1,21 @@
+// A map that lies under the one on screen.
+#pragma once
+
+#include <QPointer>
+
+#include "geometry/pose.h"
+#include "render/sample_grid.h"
+#include "robot/robot.h"
+
+namespace mapwright::window {
+
+struct LaidMap {
+  render::PlacedGrid map;  // in its own coordinates
+  geometry::Pose2 pose;    // where it lies on the map on screen
+  QPointer<robot::Robot> reader;
+  bool operator==(const LaidMap& other) const {
+    return map == other.map && pose == other.pose && reader == other.reader;
+  }
+};
+
+}  // namespace mapwright::window
