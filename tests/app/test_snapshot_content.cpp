@@ -354,7 +354,7 @@ class SnapshotContentTest : public QObject {
   }
   void thePoseGraphIsAwaitedWhereItIsJudged() {
     QFETCH(bool, comes);
-    const suite::Quality quality{0.5, {}};
+    const suite::Quality quality{.closures_over_m = 0.5, .disagreement_over = {}};
     Graph graph;
     begin(words("judged.png"), quality, &graph);
     robot_->say(listOf(1, "u"));
