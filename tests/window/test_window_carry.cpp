@@ -140,6 +140,10 @@ class TestWindowCarry : public QObject {
     QCOMPARE(bench.editing().document()->items().size(), std::size_t(2));
     QVERIFY(liesAt(bench.called("Hall"), 10.5, 6));
     QVERIFY(liesAt(bench.called("Dock"), 14, 6));
+    // It is known when they are looked at again.
+    bench.carry().adjustBox()->click();
+    bench.waitForList();
+    QCOMPARE(bench.column(CarryModel::Became)[2], QStringLiteral("carried over"));
   }
 
   void theListIsFilteredAndSorted() {

@@ -49,6 +49,7 @@ WaypointCarrying::WaypointCarrying(WindowContext& context, WaypointEditing* edit
 WaypointCarrying::~WaypointCarrying() { delete dock_; }
 
 void WaypointCarrying::setLaid(const std::optional<LaidMap>& laid) {
+  if (!laid || !laid_ || laid->reader != laid_->reader) became_.clear();
   laid_ = laid;
   refresh();
 }
@@ -119,7 +120,10 @@ void WaypointCarrying::onPoints(robot::Outcome<std::vector<map::Waypoint>> point
 
 void WaypointCarrying::onCarried(const std::vector<carry::Carried>& carried) {
   std::vector<CarryRow> rows;
-  for (std::size_t i = 0; i < carried.size(); ++i) rows.push_back({points_[i], carried[i]});
+  for (std::size_t i = 0; i < carried.size(); ++i) {
+    const auto became = became_.find(points_[i].id);
+    rows.push_back({points_[i], carried[i], became == became_.end() ? edit::Key() : became->second});
+  }
   dock_->model()->setRows(std::move(rows));
   refresh();
 }
@@ -183,7 +187,11 @@ void WaypointCarrying::carryOver(const std::vector<int>& rows) {
   }
   const std::vector<edit::Key> keys = transfer_->carryOver(points);
   if (keys.empty()) return;
-  for (std::size_t i = 0; i < keys.size(); ++i) dock_->model()->setKey(going[i], keys[i]);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    dock_->model()->setKey(going[i], keys[i]);
+    const std::string& id = dock_->model()->rows()[std::size_t(going[i])].point.id;
+    if (!id.empty()) became_[id] = keys[i];
+  }
   context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
   Q_EMIT carried();
   refresh();

@@ -2,8 +2,10 @@
 // over become changes to its list. Why: docs/tasks/new-map.md.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QObject>
@@ -73,9 +75,10 @@ class WaypointCarrying : public QObject {
   std::optional<LaidMap> laid_;
   std::optional<QString> why_not_;  // as it was said last
   std::optional<Subject> looked_at_;
-  std::vector<map::Waypoint> points_;  // of the reference map
-  int turn_ = 0;                       // answers of earlier ones are of no use
-  QString said_;                       // instead of the sum
+  std::vector<map::Waypoint> points_;        // of the reference map
+  std::map<std::string, edit::Key> became_;  // by their ids: those that were carried over
+  int turn_ = 0;                             // answers of earlier ones are of no use
+  QString said_;                             // instead of the sum
   std::unique_ptr<CarryRun> run_;
 };
 
