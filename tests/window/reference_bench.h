@@ -88,7 +88,7 @@ struct ReferenceBench : Bench {
   }
   /// The robot shows `site`, and `reference` is laid.
   MainWindow& openOn(const Site& site, const Site& reference) {
-    prepare = [&](FakeRobot& made) {
+    prepare = [this, site, reference](FakeRobot& made) {
       made.has_catalogue = true;
       made.maps.entries = {catalogued("1", "Site"), catalogued("2", "Other")};
       made.maps.pictures["1"] = site.map({map::MapKind::Stored, "1"});
@@ -98,7 +98,8 @@ struct ReferenceBench : Bench {
     MainWindow& opened = openOnRobot();
     part<MapsController>(opened)->open({map::MapKind::Stored, "1"});
     lay();
-    [&] { QTRY_VERIFY(window->session()->wholeMap().settled() && this->reference()->isRead()); }();
+    const session::MapSlot& whole = window->session()->wholeMap();
+    [&] { QTRY_VERIFY(whole.cells() && whole.settled() && this->reference()->isRead()); }();
     return opened;
   }
   std::function<void(FakeRobot&)> also;  // in openOn(): the robot, and the reader of the reference map

@@ -498,7 +498,9 @@ void ReferenceController::say(const QString& sentence) {
 }
 
 void ReferenceController::showAlignment() {
-  AlignmentShown shown{.running = run_.running() || align_next_, .said = said_, .figures = {}};
+  AlignmentShown shown;
+  shown.running = run_.running() || align_next_;
+  shown.said = said_;
   if (run_.running()) {
     shown.said = tr("Looking for the place by the walls…");
   } else if (align_next_) {
