@@ -1,6 +1,9 @@
 // `mapwright maps align OLD NEW`: where the same site lies on two maps of it (docs/tasks/new-map.md).
 #include "app/maps_align.h"
 
+#include <algorithm>
+#include <optional>
+
 #include <CLI/CLI.hpp>
 #include <QJsonArray>
 #include <QJsonObject>
@@ -54,9 +57,10 @@ void addDistances(QJsonObject& json, const align::WallDistances& distances) {
 }
 
 /// docs/json.md, "maps align".
-QJsonObject alignmentJson(const align::Alignment& found) {
+QJsonObject alignmentJson(const align::Alignment& found, double cell_m) {
   QJsonObject json{{QStringLiteral("sure"), found.sure()},
                    {QStringLiteral("sentence"), align::alignmentText(found)},
+                   {QStringLiteral("cell_m"), cell_m},
                    {QStringLiteral("transform"), QJsonValue()},
                    {QStringLiteral("second"), QJsonValue()}};
   if (found.best) {
@@ -73,7 +77,7 @@ QJsonObject alignmentJson(const align::Alignment& found) {
     for (const align::OffSquare& square : found.agreement.off) {
       places << QJsonObject{{QStringLiteral("x"), square.middle_m.x()},
                             {QStringLiteral("y"), square.middle_m.y()},
-                            {QStringLiteral("median_m"), square.median_m},
+                            {QStringLiteral("off_m"), square.off_m},
                             {QStringLiteral("walls"), qint64(square.walls)}};
     }
     json[QStringLiteral("places")] = places;
@@ -90,7 +94,8 @@ QJsonObject alignmentJson(const align::Alignment& found) {
   return json;
 }
 
-void printAlignment(const align::Alignment& found) {
+/// `coarse_m`: the cells that were compared, if larger than those of both maps.
+void printAlignment(const align::Alignment& found, std::optional<double> coarse_m) {
   std::vector<QStringList> table;
   if (found.best) {
     const auto place = [](const align::Candidate& candidate) {
@@ -107,6 +112,10 @@ void printAlignment(const align::Alignment& found) {
     table.push_back({Text::tr("pair %1").arg(i + 1),
                      Text::tr("off by %1 m").arg(words::decimal(found.pair_residuals_m[i], 3))});
   }
+  if (coarse_m)
+    table.push_back(
+        {Text::tr("cells"), Text::tr("%1 m: the maps are too large to be compared in cells of their own")
+                                .arg(words::decimal(*coarse_m, 3))});
   printTable(table);
   printLine(align::alignmentText(found));
   if (const QString off = align::offText(found.agreement); found.best && !off.isEmpty()) printLine(off);
@@ -130,10 +139,13 @@ CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) 
     if (!diff) return wrong(diff.error());
   }
   if (isStandardOutput(picture)) return found.sure() ? kDone : kIncomplete;
+  const double cell_m = align::cellsFor(pair->maps[0], pair->maps[1]);
+  const bool coarse = cell_m > 1.001 * std::max({align::kFinestCell_m, pair->maps[0].reference.resolution_m,
+                                                 pair->maps[1].reference.resolution_m});
   if (args.json) {
-    printJson(alignmentJson(found));
+    printJson(alignmentJson(found, cell_m));
   } else {
-    printAlignment(found);
+    printAlignment(found, coarse ? std::optional(cell_m) : std::nullopt);
   }
   return found.sure() ? kDone : kIncomplete;
 }

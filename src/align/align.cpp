@@ -101,6 +101,8 @@ void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreeme
     ++square.walls;
     if (const auto distance = sheets.of_new.distanceAt(at)) square.distances.push_back(distance->metres);
   }
+  const WallIndex old_walls(sheets.of_old.walls()), new_walls(sheets.of_new.walls());
+  const Pose2 back = transform.inverse();
   for (auto& [square, held] : squares) {
     std::vector<double>& distances = held.distances;
     // Of the others too little is known to tell.
@@ -108,12 +110,16 @@ void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreeme
     ++agreement.squares;
     const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());
-    if (*middle > kOff_m)
-      agreement.off.push_back(
-          {kSquare_m * Eigen::Vector2d(square.first + 0.5, square.second + 0.5), distances.size(), *middle});
+    const Eigen::Vector2d at = kSquare_m * Eigen::Vector2d(square.first + 0.5, square.second + 0.5);
+    const Eigen::Vector2d old_m = back.apply(at);
+    const auto fitted_there = fittedAround(sheets, old_walls, new_walls, transform, old_m);
+    const double shift_m = fitted_there ? (fitted_there->apply(old_m) - at).norm() : 0;
+    agreement.shifted += shift_m > kOff_m;
+    if (const double off_m = std::max(*middle, shift_m); off_m > kOff_m)
+      agreement.off.push_back({at, distances.size(), off_m});
   }
   std::stable_sort(agreement.off.begin(), agreement.off.end(),
-                   [](const OffSquare& a, const OffSquare& b) { return a.median_m > b.median_m; });
+                   [](const OffSquare& a, const OffSquare& b) { return a.off_m > b.off_m; });
 }
 
 Agreement agreementOn(const Plan& old_map, const Plan& new_map, const Sheets& sheets,
@@ -126,15 +132,19 @@ Agreement agreementOn(const Plan& old_map, const Plan& new_map, const Sheets& sh
   return out;
 }
 
-/// The best agreement with the old map moved 0.5 to 4 m to any side: high along a corridor.
+/// The best agreement with the old map moved 0.5 to 4 m to any side, or along the motion that the walls hold
+/// least, a turn too: high along a corridor, and between round walls.
 double slidScore(const Sheets& sheets, const Points& points, const Pose2& pose) {
   double best = 0;
+  const Motion weakest = weakestMotion(sheets, points, pose);
   for (const double by : {0.5, 1.0, 2.0, 4.0}) {
     for (int side = 0; side < 16; ++side) {
       const double towards = side * std::numbers::pi / 8;
-      const Pose2 slid{pose.x_m + by * std::cos(towards), pose.y_m + by * std::sin(towards), pose.yaw_rad};
-      best = std::max(best, qualityOf(sheets, points, slid).score());
+      const Motion motion{{std::cos(towards), std::sin(towards)}, 0};
+      best = std::max(best, qualityOf(sheets, points, movedBy(pose, points, motion, by)).score());
     }
+    for (const double way : {by, -by})
+      best = std::max(best, qualityOf(sheets, points, movedBy(pose, points, weakest, way)).score());
   }
   return best;
 }
@@ -186,7 +196,7 @@ std::vector<Ranked> searched(const Plan& old_map, const Plan& new_map, const She
 /// within kPair_m, best first.
 std::vector<Ranked> throughPair(const Sheets& fine, std::vector<Ranked> found,
                                 const placing::PointPair& pair) {
-  constexpr double kPair_m = 1.0;
+  constexpr double kPair_m = 0.5;
   const Points points = pointsOf(fine, kFinePoints);
   const std::size_t candidates = found.size();
   for (std::size_t i = 0; i < candidates; ++i) {
@@ -211,18 +221,34 @@ std::vector<double> leftAt(const std::vector<placing::PointPair>& pairs, const P
   return left;
 }
 
+/// The largest distance between two of the points, on the map where it is smaller.
+double spreadOf(const std::vector<placing::PointPair>& pairs) {
+  double on_map = 0, in_world = 0;
+  for (const placing::PointPair& a : pairs) {
+    for (const placing::PointPair& b : pairs) {
+      on_map = std::max(on_map, (a.on_map_m - b.on_map_m).norm());
+      in_world = std::max(in_world, (a.in_world_m - b.in_world_m).norm());
+    }
+  }
+  return std::min(on_map, in_world);
+}
+
 Alignment alignedByPairs(const Plan& old_map, const Plan& new_map,
                          const std::vector<placing::PointPair>& pairs) {
-  constexpr double kDisagree_m = 0.5;
+  constexpr double kDisagree_m = 0.25, kSpread_m = 2, kAgainst = 0.15, kComparable = 0.1;
   Alignment out;
   const Sheets sheets{Sheet(old_map), Sheet(new_map)};
   const Pose2 transform = placing::alignedBy(pairs, {});
-  out.best = Candidate{transform, qualityOf(sheets, pointsOf(sheets, kFinePoints), transform).score()};
+  const Quality quality = qualityOf(sheets, pointsOf(sheets, kFinePoints), transform);
+  out.best = Candidate{transform, quality.score()};
   out.agreement = agreementOn(old_map, new_map, sheets, transform);
   out.pair_residuals_m = leftAt(pairs, transform);
   const std::vector<double> plain = placing::residualsOf(pairs, transform);
-  out.doubt =
-      *std::max_element(plain.begin(), plain.end()) > kDisagree_m ? Doubt::PairsDisagree : Doubt::None;
+  out.doubt = spreadOf(pairs) < kSpread_m                                   ? Doubt::PairsTooClose
+              : *std::max_element(plain.begin(), plain.end()) > kDisagree_m ? Doubt::PairsDisagree
+              : out.agreement.overlap >= kComparable && quality.agreement < kAgainst
+                  ? Doubt::PairsAgainstWalls
+                  : Doubt::None;
   return out;
 }
 
@@ -235,7 +261,7 @@ bool hasWalls(const Plan& plan) {
 /// The best and the second best of `found`, and what speaks against the best.
 void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheets& fine,
            const std::vector<Ranked>& found, double mirrored, bool by_pair) {
-  constexpr double kGood = 0.4, kClose = 0.75, kOverlap = 0.2, kSeen = 0.25;
+  constexpr double kGood = 0.4, kClose = 0.7, kOverlap = 0.2, kSeen = 0.25, kMirrored = 0.05, kBent = 0.15;
   if (found.empty() || !(found[0].quality.score() > 0)) return;
   const double score = found[0].quality.score(), second = found.size() > 1 ? found[1].quality.score() : 0;
   out.best = Candidate{found[0].pose, score};
@@ -243,11 +269,13 @@ void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheet
   out.agreement = agreementOn(old_map, new_map, fine, found[0].pose);
   const bool slides =
       !by_pair && slidScore(fine, pointsOf(fine, kFinePoints / 4), found[0].pose) > kClose * score;
+  const double bent = double(out.agreement.shifted) / double(std::max<std::size_t>(out.agreement.squares, 1));
   out.doubt = out.agreement.overlap < kOverlap || found[0].quality.seen < kSeen ? Doubt::LittleSeen
-              : mirrored > (score < kGood ? 1.2 : 0.8) * score                  ? Doubt::Mirrored
+              : !by_pair && mirrored > score + kMirrored                        ? Doubt::Mirrored
               : score < kGood                                                   ? Doubt::Poor
               : second > kClose * score                                         ? Doubt::Ambiguous
               : slides                                                          ? Doubt::Slides
+              : out.agreement.shifted > 1 && bent > kBent                       ? Doubt::Bent
                                                                                 : Doubt::None;
 }
 

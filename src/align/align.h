@@ -35,7 +35,7 @@ struct Candidate {
 struct OffSquare {
   Eigen::Vector2d middle_m{0, 0};
   std::size_t walls = 0;  // cells of the old map's walls
-  double median_m = 0;    // to the nearest wall of the new map
+  double off_m = 0;       // how far: the median to the nearest wall, or what the best fit there moves
   bool operator==(const OffSquare&) const = default;
 };
 inline constexpr double kSquare_m = 3.0;
@@ -48,20 +48,24 @@ struct Agreement {
   WallDistances backward;
   std::size_t squares = 0;     // with walls of the old map that can be compared
   std::vector<OffSquare> off;  // those of them that are off by more than kOff_m, the worst first
+  std::size_t shifted = 0;     // those whose walls fit elsewhere nearby: a bent map has many
   bool operator==(const Agreement&) const = default;
 };
 
 /// Why nothing is chosen.
 enum class Doubt {
   None,
-  NoWalls,        // a map without walls
-  NoOverlap,      // nothing fits at all
-  Poor,           // the best one agrees badly
-  LittleSeen,     // too little of the maps lies in both
-  Ambiguous,      // another one is about as good
-  Slides,         // it can be moved along a corridor and fits as well
-  Mirrored,       // it fits better when one map is mirrored
-  PairsDisagree,  // points by hand that no rigid transform brings together
+  NoWalls,            // a map without walls
+  NoOverlap,          // nothing fits at all
+  Poor,               // the best one agrees badly
+  Bent,               // in many places the walls fit a little beside
+  LittleSeen,         // too little of the maps lies in both
+  Ambiguous,          // another one is about as good
+  Slides,             // it can be moved along a corridor and fits as well
+  Mirrored,           // it fits better when one map is mirrored
+  PairsDisagree,      // points by hand that no rigid transform brings together
+  PairsTooClose,      // they do not fix the turn
+  PairsAgainstWalls,  // with them the walls agree no better than by chance
 };
 
 struct Alignment {

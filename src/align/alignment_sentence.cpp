@@ -15,8 +15,10 @@ struct AlignmentText {
 QString figure(double value, int digits) { return QLocale::c().toString(value, 'f', digits); }
 QString percent(double share) { return figure(share * 100, 0); }
 
-QString pairHint() {
-  return AlignmentText::tr("Give one point that is on both maps; it decides between the candidates.");
+QString pairHint(const Alignment& alignment) {
+  return alignment.pair_residuals_m.empty()
+             ? AlignmentText::tr("Give one point that is on both maps; it decides between the candidates.")
+             : AlignmentText::tr("Give a second point, far from the first.");
 }
 
 /// Why nothing is chosen; empty when something is.
@@ -31,7 +33,13 @@ QString doubtText(const Alignment& alignment) {
                  ? AlignmentText::tr(
                        "The walls of these maps fit nowhere: they seem to be of different places.")
                  : AlignmentText::tr("With that pair of points the walls fit nowhere. Check the points.");
+    case Doubt::Bent:
+      return AlignmentText::tr(
+          "In many places the walls fit a little beside: one of the maps is bent, or much was "
+          "moved. Two points that are on both maps align them by hand, as well as it goes.");
     case Doubt::Poor:
+      if (!alignment.pair_residuals_m.empty())
+        return AlignmentText::tr("With that pair of points the walls do not agree. Check the points.");
       return AlignmentText::tr(
           "The walls do not agree well enough anywhere: the maps may be of different "
           "places. Two points that are on both maps align them by hand.");
@@ -40,18 +48,25 @@ QString doubtText(const Alignment& alignment) {
           "Too little of the maps overlaps to be sure. Two points that are on both maps "
           "align them by hand.");
     case Doubt::Ambiguous:
-      return AlignmentText::tr("The maps fit in more than one way, about equally well. %1").arg(pairHint());
+      return AlignmentText::tr("The maps fit in more than one way, about equally well. %1")
+          .arg(pairHint(alignment));
     case Doubt::Slides:
       return AlignmentText::tr(
                  "The maps can be moved against each other and still fit, as along a corridor. "
                  "%1")
-          .arg(pairHint());
+          .arg(pairHint(alignment));
     case Doubt::Mirrored:
       return AlignmentText::tr("One of the maps seems to be mirrored, or they are of different places.");
     case Doubt::PairsDisagree:
       return AlignmentText::tr(
-          "The pairs of points contradict each other: the distances between them are not "
-          "the same on both maps.");
+          "The pairs of points contradict each other: the distances between them are not the same on both "
+          "maps.");
+    case Doubt::PairsTooClose:
+      return AlignmentText::tr(
+          "The points lie too close together to tell the turn. Give points that are some metres apart.");
+    case Doubt::PairsAgainstWalls:
+      return AlignmentText::tr(
+          "With these pairs of points the walls agree no better than by chance. Check the points.");
   }
   return {};
 }
@@ -86,22 +101,24 @@ QString offText(const Agreement& agreement) {
       .arg(agreement.off.size())
       .arg(agreement.squares)
       .arg(figure(kSquare_m, 0), figure(kOff_m * 100, 0), figure(worst.middle_m.x(), 1),
-           figure(worst.middle_m.y(), 1), figure(worst.median_m, 2));
+           figure(worst.middle_m.y(), 1), figure(worst.off_m, 2));
 }
 
 QString alignmentText(const Alignment& alignment) {
   if (!alignment.sure()) return AlignmentText::tr("Not sure. %1").arg(doubtText(alignment));
-  const QString share = percent(alignment.agreement.forward.within_10cm);
-  if (alignment.pair_residuals_m.size() > 1) {
-    return AlignmentText::tr(
-               "Aligned by the pairs of points. %1 % of the old map's walls have a wall of the new "
-               "map within 10 cm.")
-        .arg(share);
+  const QString share =
+      AlignmentText::tr("%1 % of the old map's walls have a wall of the new map within 10 cm.")
+          .arg(percent(alignment.agreement.forward.within_10cm));
+  if (alignment.pair_residuals_m.empty())
+    return AlignmentText::tr("Sure: the maps fit in one way only. %1").arg(share);
+  if (alignment.pair_residuals_m.size() == 1) {
+    return AlignmentText::tr("Chosen by the pair of points, which is %1 m off. %2")
+        .arg(figure(alignment.pair_residuals_m.front(), 2), share);
   }
-  return AlignmentText::tr(
-             "Sure: the maps fit in one way only. %1 % of the old map's walls have a wall of the new map "
-             "within 10 cm.")
-      .arg(share);
+  if (alignment.agreement.forward.seen_share == 0)
+    return AlignmentText::tr(
+        "Aligned by the pairs of points. The maps do not overlap, so no wall confirms it.");
+  return AlignmentText::tr("Aligned by the pairs of points. %1").arg(share);
 }
 
 }  // namespace mapwright::align

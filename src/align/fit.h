@@ -1,7 +1,10 @@
 // Fitting one map to another by the distances between their walls. Immutable values and pure functions.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include <Eigen/Core>
@@ -47,5 +50,32 @@ Quality qualityOf(const Sheets& sheets, const Points& points, const geometry::Po
 /// than the cutoff does not count (Tukey). The cutoffs are used one after the other.
 geometry::Pose2 fitted(const Sheets& sheets, const Points& points, geometry::Pose2 pose,
                        std::initializer_list<double> cutoffs_m);
+
+/// Walls by squares, so that those around a point are found without looking at all.
+class WallIndex {
+ public:
+  explicit WallIndex(const std::vector<Eigen::Vector2d>& walls);
+  std::vector<Eigen::Vector2d> around(const Eigen::Vector2d& at, double reach_m) const;
+
+ private:
+  std::unordered_map<std::int64_t, std::vector<Eigen::Vector2d>> squares_;
+};
+
+/// The transform that fits best around a point of the old map, by the walls within 3 m, if it differs from
+/// `transform` by at most 0.5 m and 5 degrees and agrees better there.
+std::optional<geometry::Pose2> fittedAround(const Sheets& sheets, const WallIndex& old_walls,
+                                            const WallIndex& new_walls, const geometry::Pose2& transform,
+                                            const Eigen::Vector2d& old_m);
+inline constexpr double kAround_m = 3.0;
+
+/// The motion by which the score falls least: 1 m for points as far from the middle as usual. Its turn is
+/// about the middle of `points`, in the new map.
+struct Motion {
+  Eigen::Vector2d by_m{0, 0};
+  double turn_rad = 0;
+};
+Motion weakestMotion(const Sheets& sheets, const Points& points, const geometry::Pose2& pose);
+geometry::Pose2 movedBy(const geometry::Pose2& pose, const Points& points, const Motion& motion,
+                        double times);
 
 }  // namespace mapwright::align

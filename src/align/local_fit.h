@@ -22,7 +22,7 @@ class LocalFit {
   /// Of the old map's walls within kReach_m, where the new map knows something.
   struct Around {
     double within_10cm = 0;                 // share of them with a wall of the new map within 10 cm
-    std::optional<double> residual_m = {};  // the median distance to the nearest one; nullopt: no such walls
+    std::optional<double> residual_m = {};  // how far they are off; nullopt: there are no such walls
   };
   Around around(const Eigen::Vector2d& old_m) const;
 

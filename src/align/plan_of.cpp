@@ -8,8 +8,8 @@
 namespace mapwright::align {
 
 double cellsFor(const render::PlacedGrid& one, const render::PlacedGrid& other) {
-  constexpr double kFinest_m = 0.05, kMostCells = 6'000;
-  double cell = kFinest_m;
+  constexpr double kMostCells = 6'000;
+  double cell = kFinestCell_m;
   for (const render::PlacedGrid* const map : {&one, &other}) {
     const geometry::WorldRect bounds = map->reference.bounds();
     cell = std::max(
@@ -36,10 +36,10 @@ std::optional<Plan> planOf(const render::PlacedGrid& map, double resolution_m,
   pixels.width_px = plan.width;
   const grids::CellMeaning& meaning = grids::meaningOf(map.cells->code());
   for (int row = 0; row < plan.height; row += kStrip) {
-    if (cancelled && *cancelled) return std::nullopt;
     pixels.first_row = row;
     pixels.height_px = std::min(kStrip, plan.height - row);
     const render::Composition sampled = render::sampleGrid(pixels, map, cancelled);
+    if (cancelled && *cancelled) return std::nullopt;  // then it is not complete
     std::size_t at = 0;
     for (int y = row; y < row + pixels.height_px; ++y) {
       Ground* const cells = plan.cells.data() + std::size_t(plan.height - 1 - y) * std::size_t(plan.width);

@@ -9,8 +9,9 @@
 
 namespace mapwright::align {
 
-/// Cells of at least 5 cm that are no finer than those of both maps, larger where a map would have more than
-/// 6,000 along a side.
+inline constexpr double kFinestCell_m = 0.05;
+/// Cells of at least kFinestCell_m that are no finer than those of both maps, larger where a map would have
+/// more than 6,000 along a side.
 double cellsFor(const render::PlacedGrid& one, const render::PlacedGrid& other);
 
 /// Cells known with 50 percent or more are walls, other known ones free; where a cell of the plan covers
