@@ -52,9 +52,10 @@ struct CarryRow {
   std::string id, name;
   Carried carried;
   bool there_already = false;
-  QStringList with = {};  // names of what goes along with it
+  bool one_there = false;  // one that belongs to it is on the new map already
+  QStringList with = {};   // names of what goes along with it
   std::vector<std::string> with_ids = {};
-  bool goes(bool all) const { return !there_already && (all || carry::sound(carried.verdict)); }
+  bool goes(bool all) const { return !there_already && !one_there && (all || carry::sound(carried.verdict)); }
 };
 
 struct CarrySite {
@@ -124,6 +125,7 @@ QJsonObject carriedJson(const geometry::Pose2& transform, const std::vector<Carr
 QString becameText(const CarryRow& row) {
   QString became =
       row.there_already ? Text::tr("on the new map already") : carry::verdictText(row.carried.verdict);
+  if (row.one_there) became = Text::tr("left out: what belongs to it is on the new map already");
   if (!row.with.isEmpty()) became += Text::tr(" (together with %1)").arg(row.with.join(QStringLiteral(", ")));
   return became;
 }
@@ -152,7 +154,9 @@ QString sumText(const std::vector<CarryRow>& rows, bool all) {
   std::array<qint64, carry::kVerdicts> left{};
   qint64 carried = 0, there = 0;
   for (const CarryRow& row : rows) {
-    row.there_already ? ++there : row.goes(all) ? ++carried : ++left[std::size_t(row.carried.verdict)];
+    row.there_already || row.one_there ? ++there
+    : row.goes(all)                    ? ++carried
+                                       : ++left[std::size_t(row.carried.verdict)];
   }
   QStringList parts{Text::tr("%1 carried over").arg(carried)}, reasons;
   qint64 out = 0;
@@ -219,6 +223,12 @@ std::optional<CommandFailure> unusable(const CarryArguments& args) {
   if (args.output.empty() && !args.dry_run)
     return wrong(Text::tr("Pass -o F.geojson to write what is carried over, or --dry-run to look only."))
         .value();
+  const QString suffix = QFileInfo(output).suffix().toLower();
+  if (!output.isEmpty() && !isStandardOutput(output) && suffix != QLatin1String("geojson") &&
+      suffix != QLatin1String("json"))
+    return wrong(Text::tr("--output %1: what is written is GeoJSON. Name it NAME.geojson.")
+                     .arg(oneLine(output)))
+        .value();
   if (!args.output.empty() && args.dry_run) return wrong(Text::tr("Pass either -o or --dry-run.")).value();
   if (const auto why = output.isEmpty() ? std::nullopt : notCreatedReason(output, args.force))
     return wrong(*why).value();
@@ -235,7 +245,8 @@ CommandResult<int> finish(RobotCommand& command, const CarryArguments& args, con
                           const std::string& bytes) {
   const QJsonObject json = carriedJson(site.transform, rows, args.all);
   command.report(QStringLiteral("carry"), json);
-  if (const auto why = overOwnSource({text(args.output), text(args.page)}, site.pair.source_files))
+  if (const auto why = overOwnSource({text(args.output), text(args.page)}, site.pair.source_files);
+      why && !args.force)
     return wrong(*why);
   if (!args.output.empty()) {
     if (const auto trouble = disk::writeFile(args.output, bytes, existingBy(args.force)))
@@ -331,7 +342,7 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
   std::vector<CarryRow> rows;
   OverlayDocument going = documents[1];
   for (const carry::CarriedFeature& one : carried) {
-    CarryRow row{one.moved.id(), one.moved.name(), one.carried, one.there_already};
+    CarryRow row{one.moved.id(), one.moved.name(), one.carried, one.there_already, one.one_there};
     for (const std::size_t other : one.with) {
       const overlays::Feature& feature = documents[0].features()[other];
       row.with << words::plainName(feature.name().empty() ? feature.id() : feature.name());

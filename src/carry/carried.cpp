@@ -17,7 +17,9 @@ namespace {
 using geometry::Pose2;
 
 /// If fewer of the walls around it agree, they do not support its place.
-constexpr double kAgrees = 0.1;
+constexpr double kAgrees = 0.2;
+/// Walls that are farther off do not, either.
+constexpr double kFarOff_m = 0.3;
 /// Beside a wall in the old map already: a wall that is this much closer counts.
 constexpr double kCloser_m = 0.1;
 
@@ -113,7 +115,8 @@ Carried Site::carriedShape(const std::vector<Eigen::Vector2d>& old_points, bool 
   });
   if (!seen) {
     out.verdict = Verdict::Outside;
-  } else if (out.verdict == Verdict::Kept && around.within_10cm < kAgrees) {
+  } else if (out.verdict == Verdict::Kept &&
+             (around.within_10cm < kAgrees || around.residual_m.value_or(0) > kFarOff_m)) {
     out.verdict = Verdict::NotSupported;
   }
   return out;

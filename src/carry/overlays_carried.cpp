@@ -23,42 +23,55 @@ Feature movedFeature(const Feature& feature, const Pose2& transform) {
                            {transform.x_m, transform.y_m});
 }
 
-/// What may be the id of another feature: all texts but its name, and numbers that are called ids.
+/// Texts and numbers under names that are called ids: `dockingPointId`, `deviceIds`.
 void collectReferences(const overlays::JsonValue& value, const std::string& name,
                        std::set<std::string>& found) {
-  if (value.kind() == overlays::JsonKind::String && name != "name") found.insert(value.string());
   const bool called_id = name.ends_with("Id") || name.ends_with("Ids") || name.ends_with("_id");
-  if (value.kind() == overlays::JsonKind::Number && called_id) found.emplace(value.text());
+  if (called_id && value.kind() == overlays::JsonKind::String && !value.string().empty())
+    found.insert(value.string());
+  if (called_id && value.kind() == overlays::JsonKind::Number) found.emplace(value.text());
   for (const overlays::JsonValue& child : value.children())
     collectReferences(child, value.isObject() ? child.key() : name, found);
 }
 
-/// Groups of features that refer to each other: the first index of its group for each.
+/// Groups of features that refer to each other, or to the same thing (a gate and its region to one device):
+/// the first index of its group for each.
 std::vector<std::size_t> groupsOf(const OverlayDocument& document) {
-  std::map<std::string, std::size_t> of_id;
-  for (std::size_t i = 0; i < document.features().size(); ++i) {
-    if (const std::string id = document.features()[i].id(); !id.empty()) of_id.emplace(id, i);
-  }
   std::vector<std::size_t> group(document.features().size());
   std::iota(group.begin(), group.end(), std::size_t(0));
   const auto root = [&](std::size_t i) {
-    while (group[i] != i) i = group[i];
+    while (group[i] != i) i = group[i] = group[group[i]];
     return i;
   };
-  for (std::size_t i = 0; i < document.features().size(); ++i) {
+  std::map<std::string, std::size_t> known;  // by its id, or the first that refers to it
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (const std::string id = document.features()[i].id(); !id.empty()) known.emplace(id, i);
+  }
+  for (std::size_t i = 0; i < group.size(); ++i) {
     const auto properties = document.features()[i].root().member("properties");
     if (!properties) continue;
     std::set<std::string> references;
     collectReferences(*properties, {}, references);
     for (const std::string& reference : references) {
-      const auto other = of_id.find(reference);
-      if (other == of_id.end()) continue;
-      const std::size_t a = root(i), b = root(other->second);
+      const std::size_t a = root(i), b = root(known.emplace(reference, i).first->second);
       group[std::max(a, b)] = std::min(a, b);
     }
   }
   for (std::size_t& one : group) one = root(one);
   return group;
+}
+
+/// The same without an id: its shape, type and name, and the place.
+bool isThere(const Feature& moved, const OverlayDocument& there) {
+  constexpr double kSame_m = 0.1;
+  const auto at = overlays::shapesOf(moved).somewhere();
+  return at && std::any_of(there.features().begin(), there.features().end(), [&](const Feature& other) {
+           if (!other.id().empty() || other.shape() != moved.shape() || other.type() != moved.type() ||
+               other.name() != moved.name())
+             return false;
+           const auto other_at = overlays::shapesOf(other).somewhere();
+           return other_at && (*other_at - *at).norm() <= kSame_m;
+         });
 }
 
 /// The worst of a group is that of all.
@@ -90,7 +103,8 @@ std::vector<CarriedFeature> carriedOverlays(const Site& site, const OverlayDocum
     at_of[i] = all.size();
     Feature moved = movedFeature(feature, carried.transform);
     if (const auto yaw = overlays::yawOf(moved)) carried.spot.yaw_rad = geometry::radiansFromDegrees(*yaw);
-    all.push_back({i, std::move(moved), carried, there.contains(feature.id())});
+    const bool is_there = feature.id().empty() ? isThere(moved, new_overlays) : there.contains(feature.id());
+    all.push_back({i, std::move(moved), carried, is_there});
   }
   // Reached from the chargers, around walls and forbidden regions of both maps.
   OverlayDocument together = new_overlays;
@@ -113,13 +127,16 @@ std::vector<CarriedFeature> carriedOverlays(const Site& site, const OverlayDocum
   for (const auto& [first, indices] : members) {
     if (indices.size() < 2) continue;
     Verdict worst = Verdict::Kept;
+    bool one_there = false;
     for (const std::size_t i : indices) {
       const Verdict one = all[at_of[i]].carried.verdict;
       if (rankOf(one) > rankOf(worst)) worst = one;
+      one_there = one_there || all[at_of[i]].there_already;
     }
     for (const std::size_t i : indices) {
       CarriedFeature& one = all[at_of[i]];
       if (!sound(worst)) one.carried.verdict = worst;
+      one.one_there = one_there && !one.there_already;
       for (const std::size_t other : indices) {
         if (other != i) one.with.push_back(other);
       }

@@ -12,7 +12,8 @@ struct CarriedFeature {
   std::size_t feature = 0;     // its index in the old document
   overlays::Feature moved;     // as it would be on the new map
   Carried carried;             // the verdict on the worst of its group, if `with` is not empty
-  bool there_already = false;  // the new map has one of that id: it stays as it is
+  bool there_already = false;  // the new map has it, by its id or else in the same place: that stays as it is
+  bool one_there = false;      // one of its group is: it is left out, too
   /// Others that it refers to, or that refer to it: they go together or not at all. Indices of the old
   /// document.
   std::vector<std::size_t> with = {};

@@ -171,7 +171,7 @@ class NewMapTest : public QObject {
   void whatContradictsItselfIsRefused_data() {
     QTest::addColumn<QString>("line");
     for (const char* line : {"", "--dry-run -o w.geojson", "--dry-run --transform 1,2",
-                             "--dry-run --transform 1,2,3 --pair 1,2:3,4", "-o points.geojson",
+                             "--dry-run --transform 1,2,3 --pair 1,2:3,4", "-o points.geojson", "-o w.csv",
                              "-o w.geojson --report w.geojson", "--dry-run --radius x"})
       QTest::newRow(line) << QString::fromLatin1(line);
   }

@@ -83,6 +83,34 @@ class TestOverlaysCarried : public QObject {
     QVERIFY(all[0].with.empty() && all[1].with.empty());
   }
 
+  void whatRefersToOneDeviceGoesTogether() {
+    const auto all =
+        carriedTo({}, documentOf({point("g", 3, 3, R"({"type":7,"deviceIds":["a1"]})"),
+                                  point("r", 4, 3, R"({"type":11,"deviceIds":["a1","b"]})"), kTable}));
+    QCOMPARE(all[0].with, std::vector<std::size_t>{1});
+    QVERIFY(all[2].with.empty());
+  }
+
+  void aNumberOrTextThatHappensToBeAnIdIsNoReference() {
+    const auto all =
+        carriedTo({}, documentOf({point("11", 3, 3, R"({"type":11,"note":"c1"})"), kTable, kDock}));
+    for (const CarriedFeature& one : all) QVERIFY(one.with.empty());
+  }
+
+  void whatBelongsToSomethingThatIsThereIsLeftOut() {
+    const auto all =
+        carriedTo({}, documentOf({kCharger, kDock}), documentOf({point("d1", 0, 0, R"({"type":36})")}));
+    QVERIFY(all[1].there_already);
+    QVERIFY(!all[0].there_already && all[0].one_there);
+  }
+
+  void withoutAnIdTheSamePlaceCounts() {
+    const std::string nameless = feature("", "Point", "[3,3]", R"({"type":11,"name":"Desk"})");
+    const auto first = carriedTo({}, documentOf({nameless}));
+    QVERIFY(!first[0].there_already);
+    QVERIFY(carriedTo({}, documentOf({nameless}), documentOf({first[0].moved.text()}))[0].there_already);
+  }
+
   void whatTheNewMapHasAlreadyIsSaid() {
     const auto all =
         carriedTo({}, documentOf({kDock, kTable}), documentOf({point("t1", 0, 0, R"({"type":11})")}));
