@@ -30,7 +30,8 @@ std::vector<Eigen::Vector2d> seenWalls(const Plan& plan) {
 
 }  // namespace
 
-Sheet::Sheet(const Plan& plan) : resolution_m_(plan.resolution_m), walls_(seenWalls(plan)) {
+Sheet::Sheet(const Plan& plan)
+    : resolution_m_(plan.resolution_m > 0 ? plan.resolution_m : 1), walls_(seenWalls(plan)) {
   const int margin = int(std::ceil(kMargin_m / resolution_m_)) + 1;
   corner_m_ = plan.corner_m - resolution_m_ * Eigen::Vector2d(margin, margin);
   const cv::Size size(plan.width + 2 * margin, plan.height + 2 * margin);
