@@ -20,6 +20,7 @@
 
 #include "net/http_cache.h"
 #include "net/log.h"
+#include "net/openssl_exit.h"
 #include "net/plain_sentences.h"
 #include "net/secret.h"
 
@@ -658,7 +659,10 @@ class HttpClient::Impl {
 };
 
 HttpClient::HttpClient(const QUrl& origin, const QByteArray& secret, HttpCache* cache, QObject* parent)
-    : QObject(parent), impl_(std::make_unique<Impl>(this, Secret(origin, secret), cache)) {}
+    : QObject(parent) {
+  keepOpensslAtExit();
+  impl_ = std::make_unique<Impl>(this, Secret(origin, secret), cache);
+}
 
 HttpClient::~HttpClient() = default;
 

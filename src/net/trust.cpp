@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QStringList>
 
+#include "net/openssl_exit.h"
 #include "net/plain_sentences.h"
 
 namespace mapwright::net {
@@ -142,6 +143,7 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
 }
 
 tl::expected<QList<QSslCertificate>, Fault> readAuthorities(const QString& file) {
+  keepOpensslAtExit();
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
     return tl::make_unexpected(faultOf(faultText("net", "The certificate file %1 cannot be read: %2."),

@@ -10,6 +10,7 @@
 #include <QWebSocket>
 
 #include "net/log.h"
+#include "net/openssl_exit.h"
 #include "net/plain_sentences.h"
 
 namespace mapwright::net {
@@ -77,6 +78,7 @@ WebSocketLink::WebSocketLink(QList<QUrl> urls, QByteArray secret, WebSocketLinkO
       secret_(urls_.value(0), secret),
       options_(options),
       backoff_(options.backoff_first, options.backoff_limit, seedOf(options)) {
+  keepOpensslAtExit();
   if (!options_.now) {
     options_.now = [] {
       return std::chrono::duration_cast<std::chrono::milliseconds>(
