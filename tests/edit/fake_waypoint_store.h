@@ -29,8 +29,9 @@ class FakeWaypointStore : public robot::WaypointStore {
   explicit FakeWaypointStore(Mode mode) : mode_(mode) {}
 
   robot::KeptFields keeps() const override { return kept_fields; }
-  robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
+  robot::Call read(const map::MapKey& map, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
     ++reads;
+    read_of = map;
     if (slow) {
       answers.push_back(
           [reply, now = robot::StoredWaypoints{points, std::to_string(revision), {}, there, zero_turns}] {
@@ -116,6 +117,7 @@ class FakeWaypointStore : public robot::WaypointStore {
   robot::KeptFields kept_fields;
   std::set<std::string> zero_turns;  // ids
   int revision = 1, reads = 0;
+  map::MapKey read_of;  // the last one
   bool hold = false, unreadable = false;
   bool slow = false;  // reading ends when the test calls its answer
   std::vector<std::function<void()>> answers;

@@ -106,6 +106,19 @@ class TestWindowCarry : public QObject {
     QVERIFY(bench.column(CarryModel::WallsOff)[0].toDouble() < 0.1);
   }
 
+  void anotherMapOfTheRobotHasItsOwnWaypoints() {
+    CarryBench bench;
+    bench.openOn(Site::rooms(), Site::rooms());
+    bench.robot->maps.pictures["2"] = Site::rooms().turned().map({map::MapKind::Stored, "2"});
+    Q_EMIT part<MapsController>(*bench.window)->alignWanted({map::MapKind::Stored, "2"});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.reference_dock().alignmentSaid().startsWith(QLatin1String("Sure")),
+                             60'000);
+    QTRY_VERIFY(bench.reference_dock().carryButton()->isEnabled());
+    QTest::mouseClick(bench.reference_dock().carryButton(), Qt::LeftButton);
+    QCOMPARE(bench.new_store.read_of, (map::MapKey{map::MapKind::Stored, "2"}));
+    QTRY_COMPARE_WITH_TIMEOUT(bench.carry().model()->rowCount(), 1, 60'000);
+  }
+
   void thoseThatAreSoundBecomeChangesThatCanBeUndone() {
     CarryBench bench;
     bench.openList();

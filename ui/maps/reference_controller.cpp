@@ -391,9 +391,14 @@ void ReferenceController::show() {
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
   checkAlignment();
   syncDifferences();
-  const bool whole = there && slot_.settled() && reader_;
+  // Another map of the robot is read through its session.
+  session::Session* const session = context_.current.session();
+  robot::Robot* const from = reader_                                    ? reader_.get()
+                             : address_.startsWith(kOfRobot) && session ? &session->robot()
+                                                                        : nullptr;
+  const bool whole = there && slot_.settled() && from;
   Q_EMIT laidChanged(
-      whole ? std::optional(LaidMap{{slot_.cells(), slot_.reference()}, laid_.pose, reader_.get()})
+      whole ? std::optional(LaidMap{{slot_.cells(), slot_.reference()}, laid_.pose, from, slot_.key()})
             : std::nullopt);
 }
 

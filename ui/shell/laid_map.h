@@ -4,17 +4,19 @@
 #include <QPointer>
 
 #include "geometry/pose.h"
+#include "map/catalogue.h"
 #include "render/sample_grid.h"
 #include "robot/robot.h"
 
 namespace mapwright::window {
 
 struct LaidMap {
-  render::PlacedGrid map;  // in its own coordinates
-  geometry::Pose2 pose;    // where it lies on the map on screen
-  QPointer<robot::Robot> reader;
+  render::PlacedGrid map;         // in its own coordinates
+  geometry::Pose2 pose;           // where it lies on the map on screen
+  QPointer<robot::Robot> reader;  // has its waypoints
+  map::MapKey key;                // which of its maps it is
   bool operator==(const LaidMap& other) const {
-    return map == other.map && pose == other.pose && reader == other.reader;
+    return map == other.map && pose == other.pose && reader == other.reader && key == other.key;
   }
 };
 

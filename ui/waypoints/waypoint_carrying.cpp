@@ -49,7 +49,7 @@ WaypointCarrying::WaypointCarrying(WindowContext& context, WaypointEditing* edit
 WaypointCarrying::~WaypointCarrying() { delete dock_; }
 
 void WaypointCarrying::setLaid(const std::optional<LaidMap>& laid) {
-  if (!laid || !laid_ || laid->reader != laid_->reader) became_.clear();
+  if (!laid || !laid_ || laid->reader != laid_->reader || laid->key != laid_->key) became_.clear();
   laid_ = laid;
   refresh();
 }
@@ -87,7 +87,7 @@ void WaypointCarrying::look() {
   if (!why.isEmpty()) return show();
   looked_at_ = subject();
   robot::Robot& reader = *looked_at_->laid.reader;
-  const map::MapKey key{map::MapKind::File, {}};
+  const map::MapKey& key = looked_at_->laid.key;
   const int turn = turn_;
   if (robot::WaypointStore* const store = reader.waypointStore()) {
     store->read(key, [this, turn](robot::Outcome<robot::StoredWaypoints> answer) {
