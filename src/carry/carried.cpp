@@ -5,11 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include <opencv2/imgproc.hpp>
-
 #include "align/local_fit.h"
 #include "align/plan_of.h"
-#include "placing/ground.h"
+#include "carry/areas.h"
 
 namespace mapwright::carry {
 namespace {
@@ -20,51 +18,6 @@ using geometry::Pose2;
 constexpr double kAgrees = 0.2;
 /// Walls that are farther off do not, either.
 constexpr double kFarOff_m = 0.3;
-/// Beside a wall in the old map already: a wall that is this much closer counts.
-constexpr double kCloser_m = 0.1;
-
-/// Free ground that a robot can drive on, by connected areas.
-class Areas {
- public:
-  Areas(const align::Plan& plan, double radius_m) : plan_(plan) {
-    cv::Mat_<std::uint8_t> open(plan.height, plan.width, std::uint8_t(255));
-    cv::Mat_<std::uint8_t> free(plan.height, plan.width, std::uint8_t(0));
-    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-      if (plan.cells[i] == align::Ground::Wall) open.data[i] = 0;
-      if (plan.cells[i] == align::Ground::Free) free.data[i] = 255;
-    }
-    if (plan.cells.empty()) return;
-    cv::Mat_<float> distance;
-    cv::distanceTransform(open, distance, cv::DIST_L2, cv::DIST_MASK_5);
-    const cv::Mat drivable = (distance * plan.resolution_m > radius_m) & (free > 0);
-    cv::connectedComponents(drivable, labels_, 8, CV_32S);
-    reach_ = int(std::ceil((radius_m + 0.5) / plan.resolution_m));
-  }
-  /// The nearest area within the robot's radius and half a metre; 0 = none.
-  int at(const Eigen::Vector2d& world_m) const {
-    if (labels_.empty()) return 0;
-    const Eigen::Vector2d cell = (world_m - plan_.corner_m) / plan_.resolution_m;
-    if (!(std::abs(cell.x()) < 1e8 && std::abs(cell.y()) < 1e8)) return 0;
-    const int column = int(std::floor(cell.x())), row = int(std::floor(cell.y()));
-    int best = 0, best_square = (reach_ + 1) * (reach_ + 1);
-    for (int y = std::max(row - reach_, 0); y <= std::min(row + reach_, labels_.rows - 1); ++y) {
-      for (int x = std::max(column - reach_, 0); x <= std::min(column + reach_, labels_.cols - 1); ++x) {
-        const int square = (x - column) * (x - column) + (y - row) * (y - row);
-        if (square < best_square && labels_(y, x) != 0) best = labels_(y, x), best_square = square;
-      }
-    }
-    return best;
-  }
-
- private:
-  const align::Plan& plan_;
-  cv::Mat_<int> labels_;
-  int reach_ = 0;
-};
-
-placing::Ground groundOf(const render::PlacedGrid& map) {
-  return {placing::PlacedMap{map.cells, map.reference, false}, placing::Ground::Access::Wait};
-}
 
 double wallDistance(placing::Ground& ground, const Eigen::Vector2d& at, double reach_m) {
   const auto wall = ground.nearestWall(at, reach_m);
@@ -72,6 +25,10 @@ double wallDistance(placing::Ground& ground, const Eigen::Vector2d& at, double r
 }
 
 }  // namespace
+
+placing::Ground groundOf(const render::PlacedGrid& map) {
+  return {placing::PlacedMap{map.cells, map.reference, false}, placing::Ground::Access::Wait};
+}
 
 const char* nameOf(Verdict verdict) {
   constexpr std::array<const char*, kVerdicts> names{"kept",    "adjusted",    "in_obstacle",

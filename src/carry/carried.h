@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "geometry/pose.h"
+#include "placing/ground.h"
 #include "render/sample_grid.h"
 
 namespace mapwright::carry {
@@ -26,6 +27,11 @@ inline constexpr int kVerdicts = 6;
 const char* nameOf(Verdict verdict);
 /// It may be carried over without a look.
 inline bool sound(Verdict verdict) { return verdict == Verdict::Kept || verdict == Verdict::Adjusted; }
+
+/// Beside a wall in the old map already: a wall that is this much closer counts.
+inline constexpr double kCloser_m = 0.1;
+/// What a whole map has at a place; waits for its cells.
+placing::Ground groundOf(const render::PlacedGrid& map);
 
 struct Spot {
   Eigen::Vector2d position_m{0, 0};
