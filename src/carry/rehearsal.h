@@ -1,0 +1,87 @@
+// Recorded ways, driven once more on a new map: what they cross there. Pure; not for the GUI thread. Why:
+// docs/tasks/new-map.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/pose.h"
+#include "render/sample_grid.h"
+
+namespace mapwright::carry {
+
+/// What the line of a way meets. The worst last.
+enum class Crossing {
+  Free,
+  Outside,   // of the new map
+  Unknown,   // the new map knows nothing there
+  TooClose,  // to a wall, for the radius of the robot
+  Obstacle,  // with the radius of the robot before and after it
+};
+inline constexpr int kCrossings = 5;
+/// For scripts, never changes: "too_close".
+const char* nameOf(Crossing crossing);
+
+struct WayPoint {
+  Eigen::Vector2d position_m{0, 0};
+  double stamp_s = 0;
+  std::size_t piece = 0;  // nothing is known between two points of different ones
+};
+
+/// A stretch along which a way meets one thing.
+struct Stretch {
+  Crossing what = Crossing::Free;
+  double from_s = 0, to_s = 0;  // in the recording
+  double length_m = 0;          // 0: the robot stood there
+  Eigen::Vector2d middle_m{0, 0};
+  std::vector<Eigen::Vector2d> line = {};  // on the new map; one point if it has no length
+};
+
+struct Rehearsed {
+  double length_m = 0;
+  double from_s = 0, to_s = 0;
+  std::size_t points = 0;
+  std::size_t unusable = 0;          // points without numbers: left out
+  std::size_t jumps = 0;             // nothing is known of the way between two points
+  std::vector<Stretch> stretches{};  // all of it, also what is free, in the order of the way
+  std::array<double, kCrossings> lengths_m{};
+  enum class Reach {
+    Reached,
+    CutOff,   // its end from its start
+    NoStart,  // the robot cannot stand where it starts
+    NoEnd,
+  };
+  Reach reach = Reach::Reached;
+
+  /// Those that are not free, the longest first.
+  std::vector<Stretch> crossed() const;
+  /// Nothing is crossed, and its end can be reached.
+  bool free() const;
+};
+
+struct RehearsalOptions {
+  double radius_m = 0.3;           // of the robot; 0: only what the line itself meets counts
+  geometry::Pose2 transform = {};  // from the frame of the way to the new map
+  /// What the way was driven on. Where it kept as close to a wall there, it is not too close (carried.h).
+  std::optional<render::PlacedGrid> old_map = {};
+};
+
+class Rehearsal {
+ public:
+  Rehearsal(const render::PlacedGrid& new_map, const RehearsalOptions& options);
+  ~Rehearsal();
+
+  /// By time. A jump that `way` does not know of is none of its line either.
+  Rehearsed of(const std::vector<WayPoint>& way) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+}  // namespace mapwright::carry
