@@ -1,4 +1,6 @@
 // Where the robot was, in pieces across which nothing is drawn or measured.
+#include <cmath>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -7,6 +9,7 @@
 #include "generated_bag.h"
 #include "replay/digest.h"
 #include "replay/track.h"
+#include "replay/track_file.h"
 #include "test_program.h"
 
 namespace test_replay_track {
@@ -51,6 +54,15 @@ Bag straight(int seconds) {
   Bag bag;
   for (int i = 0; i < seconds * 8; ++i) bag.push_back(say(i / 8.0, "/tracked_pose", at(i / 8.0)));
   return bag;
+}
+
+/// Three pieces, the last one of a single sample.
+std::vector<TrackPoint> written() {
+  return {{kStart, {1.25, -2, 0.5}, 0, 0, 0},
+          {kStart + 0.5, {1.5, -2, 3.1}, 0, 0, 0},
+          {kStart + 9, {8, 3, -3.1}, 0, 0, 1},
+          {kStart + 9.5, {8.125, 3, 0}, 0, 0, 1},
+          {kStart + 20, {0, 0, 0}, 0, 0, 2}};
 }
 
 void sortByTime(Bag& bag) {
@@ -211,6 +223,63 @@ class ReplayTrackTest : public QObject {
     QVERIFY(trackOf({}).empty());
     const std::string text = geoJsonOf({});
     QVERIFY(QJsonDocument::fromJson(QByteArray::fromStdString(text)).isObject());
+  }
+
+  void aTrackInAFileIsReadBack_data() {
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<bool>("has_pieces");
+    const std::vector<TrackPoint> track = written();
+    QTest::newRow("csv") << QByteArray::fromStdString(csvOf(track)) << true;
+    QTest::newRow("csv with \\r\\n") << QByteArray::fromStdString(csvOf(track)).replace("\n", "\r\n") << true;
+    QTest::newRow("geojson") << QByteArray::fromStdString(geoJsonOf(track)) << true;
+    QTest::newRow("tum") << QByteArray("# timestamp tx ty tz qx qy qz qw\n") +
+                                QByteArray::fromStdString(tumOf(track))
+                         << false;
+  }
+  void aTrackInAFileIsReadBack() {
+    QFETCH(QByteArray, file);
+    QFETCH(bool, has_pieces);
+    const auto read = trackFrom(file.toStdString());
+    QVERIFY(read);
+    QCOMPARE(read->size(), written().size());
+    for (std::size_t i = 0; i < read->size(); ++i) {
+      const TrackPoint one = (*read)[i], other = written()[i];
+      QVERIFY(std::abs(one.stamp_s - other.stamp_s) < 1e-5);
+      QVERIFY(std::abs(one.pose.x_m - other.pose.x_m) < 1e-5 &&
+              std::abs(one.pose.y_m - other.pose.y_m) < 1e-5);
+      QVERIFY(std::abs(one.pose.yaw_rad - other.pose.yaw_rad) < 1e-6);
+      QCOMPARE(one.piece, has_pieces ? other.piece : 0U);
+    }
+  }
+
+  void whatIsNoTrackIsRefusedWithItsLine_data() {
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<int>("line");
+    const QByteArray head = "stamp_s,x_m,y_m,yaw_rad,piece\n";
+    QTest::newRow("a word") << head + "1,2,3,0,0\n1,x,3,0,0\n" << 3;
+    QTest::newRow("cut off") << head + "1,2,3,0,0\n1,2" << 3;
+    QTest::newRow("a piece that is none") << head + "1,2,3,0,-1\n" << 2;
+    QTest::newRow("no column y") << QByteArray("stamp_s,x_m\n1,2\n") << 1;
+    QTest::newRow("other text") << QByteArray("Hello\n") << 1;
+    QTest::newRow("tum with seven numbers") << QByteArray("1 2 3 0 0 0 0 1\n1 2 3 0 0 0 1\n") << 2;
+    QTest::newRow("other json") << QByteArray("{\"a\":1}") << 0;
+    QTest::newRow("broken json") << QByteArray("{\"features\":[{") << 0;
+    QTest::newRow("waypoints")
+        << QByteArray("{\"features\":[{\"geometry\":{\"type\":\"Point\",\"coordinates\":[1,2]}}]}") << 0;
+  }
+  void whatIsNoTrackIsRefusedWithItsLine() {
+    QFETCH(QByteArray, file);
+    QFETCH(int, line);
+    const auto read = trackFrom(file.toStdString());
+    QVERIFY(!read);
+    QCOMPARE(int(read.error()), line);
+  }
+
+  void numbersThatAreNoneStayWhatTheyAre() {
+    const auto read = trackFrom("stamp_s,x_m,y_m\n1,nan,3\n2,inf,3\n");
+    QVERIFY(read && read->size() == 2);
+    QVERIFY(std::isnan((*read)[0].pose.x_m) && std::isinf((*read)[1].pose.x_m));
+    QVERIFY(trackFrom("") && trackFrom("")->empty());
   }
 };
 

@@ -1,0 +1,19 @@
+// Tracks in files as track.h writes them, read back. Pure.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "replay/track.h"
+
+namespace mapwright::replay {
+
+/// CSV, GeoJSON or TUM; which one is seen from the text. Other columns and properties may be there, too;
+/// speeds and qualities are not read. Numbers may be NaN. A TUM file is one piece. The error is the line that
+/// cannot be read; 0 = the whole.
+tl::expected<std::vector<TrackPoint>, std::size_t> trackFrom(std::string_view text);
+
+}  // namespace mapwright::replay
