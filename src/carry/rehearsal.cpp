@@ -187,7 +187,8 @@ Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
   const auto finish = [&] {
     if (piece.empty()) return;
     feet.look(piece);
-    widenObstacles(piece, parts_->options.radius_m + step_m);  // its edge is between two samples
+    // At an angle the robot is too close for longer; and the edge is between two samples.
+    widenObstacles(piece, 2 * parts_->options.radius_m + step_m);
     join(piece);
     for (const Run& run : runsOf(piece)) {
       out.stretches.push_back(stretchOf(piece, run));

@@ -21,7 +21,7 @@ enum class Crossing {
   Outside,   // of the new map
   Unknown,   // the new map knows nothing there
   TooClose,  // to a wall, for the radius of the robot
-  Obstacle,  // with the radius of the robot before and after it
+  Obstacle,  // with where the robot is too close just before and after it
 };
 inline constexpr int kCrossings = 5;
 /// For scripts, never changes: "too_close".

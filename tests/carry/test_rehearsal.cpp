@@ -271,7 +271,7 @@ class TestRehearsal : public QObject {
                                     .arg(dense[i].y())
                                     .arg(QLatin1String(carry::nameOf(brute[i])));
           if (stretch.what == Crossing::Obstacle) {
-            QVERIFY2(isNear(i, radius + kJoin_m, is(Crossing::Obstacle)), qPrintable(where));
+            QVERIFY2(isNear(i, 2 * radius + kJoin_m, is(Crossing::Obstacle)), qPrintable(where));
             QVERIFY2(
                 isNear(i, 1.5 * kStep_m,
                        [](Crossing one) { return one != Crossing::Unknown && one != Crossing::Outside; }),
