@@ -61,7 +61,7 @@ struct CarryRow {
 struct CarrySite {
   geometry::Pose2 transform;
   align::Alignment alignment;  // without a best one if the transform was given
-  MapPair pair;
+  OpenedMaps pair;
   double radius_m = 0;
 };
 
@@ -73,21 +73,17 @@ CommandResult<CarrySite> openSite(RobotCommand& command, const CarryArguments& a
   if (!pairs) return wrong(pairs.error());
   const auto radius = radiusFrom(args.radius);
   if (!radius) return wrong(radius.error());
-  const auto numbers = args.transform.empty() ? std::nullopt : numbersFrom(args.transform);
-  if (!args.transform.empty() && (!numbers || numbers->size() != 3))
-    return wrong(Text::tr("--transform %1: give X,Y,YAW in metres and degrees, as maps align prints it.")
-                     .arg(text(args.transform)));
-  if (numbers && !pairs->empty()) return wrong(Text::tr("Pass either --transform or --pair."));
-  auto pair = openPair(command, args.from, args.to, text(args.robot), {args.resolution, args.origin},
+  const auto transform = transformFrom(args.transform, !pairs->empty());
+  if (!transform) return wrong(transform.error());
+  auto pair = openMaps(command, {args.from, args.to}, text(args.robot), {args.resolution, args.origin},
                        [&](int index, RobotReading& robot, const QString& id) {
                          if (index == 1) site.radius_m = *radius ? **radius : robotRadius(robot);
                          return before(index, robot, id);
                        });
   if (!pair) return passOn(pair);
   site.pair = std::move(*pair);
-  if (numbers) {
-    site.transform = {(*numbers)[0], (*numbers)[1],
-                      geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]))};
+  if (*transform) {
+    site.transform = **transform;
     return site;
   }
   site.alignment = *align::alignPlaced(site.pair.maps[0], site.pair.maps[1], {.pairs = *pairs});

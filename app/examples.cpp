@@ -33,6 +33,7 @@ constexpr const char* kExamples[] = {
     "mapwright maps diff before.yaml after.yaml --diff changes.png",
     "mapwright maps diff 12 office.yaml --robot 10.0.0.7 --json",
     "mapwright maps align before.yaml after.yaml --pair 3.2,1.5:10.4,-2.2",
+    "mapwright maps rehearse after.yaml monday.mcap tuesday.csv --from before.yaml",
     "mapwright maps rename 12 \"Ground floor\" --robot 10.0.0.7",
     "mapwright maps load 12 --robot 10.0.0.7",
     "mapwright maps archive 12 --robot kabam+ws://10.0.0.8",

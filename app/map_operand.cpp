@@ -94,16 +94,16 @@ CommandResult<RobotReading*> openPlaced(RobotCommand& command, const MapOperand&
   return connectTo(command, operand, place, purpose);
 }
 
-CommandResult<MapPair> openPair(RobotCommand& command, const std::string& first, const std::string& second,
-                                const QString& robot, const PicturePlace& place, const BeforeMap& before) {
+CommandResult<OpenedMaps> openMaps(RobotCommand& command, const std::vector<std::string>& typed,
+                                   const QString& robot, const PicturePlace& place, const BeforeMap& before) {
   std::vector<MapOperand> operands;
-  for (const std::string& typed : {first, second}) {
-    const auto operand = mapOperand(text(typed), robot);
+  for (const std::string& word : typed) {
+    const auto operand = mapOperand(text(word), robot);
     if (!operand) return wrong(operand.error());
     operands.push_back(*operand);
   }
   if (const auto why = withoutEffectReason(operands, place)) return wrong(*why);
-  MapPair pair;
+  OpenedMaps opened;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     auto reading = connectTo(command, operands[i], place, purposeOf(operands[i]));
     if (!reading) return passOn(reading);
@@ -111,10 +111,10 @@ CommandResult<MapPair> openPair(RobotCommand& command, const std::string& first,
       return tl::make_unexpected(std::move(*failed));
     auto map = (*reading)->map(operands[i].id, resolutionOf(place.resolution));
     if (!map) return passOn(map);
-    pair.maps[i] = std::move(*map);
-    for (std::string& file : (*reading)->sourceFiles()) pair.source_files.push_back(std::move(file));
+    opened.maps.push_back(std::move(*map));
+    for (std::string& file : (*reading)->sourceFiles()) opened.source_files.push_back(std::move(file));
   }
-  return pair;
+  return opened;
 }
 
 }  // namespace mapwright::app

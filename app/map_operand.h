@@ -1,7 +1,6 @@
 // A map that a command names as an argument: one of --robot, a file or address of its own, or ID@ADDRESS.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,18 +25,17 @@ double resolutionOf(const std::string& typed);
 CommandResult<RobotReading*> openPlaced(RobotCommand& command, const MapOperand& operand,
                                         const PicturePlace& place, RobotReading::Purpose purpose);
 
-struct MapPair {
-  std::array<render::PlacedGrid, 2> maps;
+struct OpenedMaps {
+  std::vector<render::PlacedGrid> maps;
   std::vector<std::string> source_files;  // on this computer
 };
 /// Called with what is connected, before its map is read: afterwards nothing else can be asked. The index is
 /// 0 for the first map.
 using BeforeMap =
     std::function<std::optional<CommandFailure>(int index, RobotReading& robot, const QString& id)>;
-/// Reads two maps completely, as typed. Both words are checked before the first one is read, which may take
-/// long.
-CommandResult<MapPair> openPair(RobotCommand& command, const std::string& first, const std::string& second,
-                                const QString& robot, const PicturePlace& place,
-                                const BeforeMap& before = {});
+/// Reads maps completely, as typed. All words are checked before the first one is read, which may take long.
+CommandResult<OpenedMaps> openMaps(RobotCommand& command, const std::vector<std::string>& typed,
+                                   const QString& robot, const PicturePlace& place,
+                                   const BeforeMap& before = {});
 
 }  // namespace mapwright::app

@@ -384,9 +384,9 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   if (const auto why = notTogetherReason({text(args.diff_picture), text(args.report), printed}))
     return sharedOutput(*why);
   const PicturePlace place{args.resolution, args.origin};
-  const auto pair = openPair(command, args.first, args.second, text(args.robot), place);
+  const auto pair = openMaps(command, {args.first, args.second}, text(args.robot), place);
   if (!pair) return passOn(pair);
-  const std::array<render::PlacedGrid, 2>& maps = pair->maps;
+  const std::vector<render::PlacedGrid>& maps = pair->maps;
   const QString picture = text(args.diff_picture);
   if (const auto why = overOwnSource({picture}, pair->source_files); why && !args.force) {
     return wrong(*why);
@@ -617,6 +617,7 @@ void addMaps(Commands& commands) {
       command->add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   }
   addMapAlign(commands, *maps);
+  addMapRehearsal(commands, *maps);
   addPoses(commands, *maps);
   addMapTransfers(commands, *maps);
 }

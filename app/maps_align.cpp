@@ -130,7 +130,7 @@ CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) 
   if (!pairs) return wrong(pairs.error());
   options.pairs = *pairs;
   const auto pair =
-      openPair(command, args.first, args.second, text(args.robot), {args.resolution, args.origin});
+      openMaps(command, {args.first, args.second}, text(args.robot), {args.resolution, args.origin});
   if (!pair) return passOn(pair);
   if (const auto why = overOwnSource({picture}, pair->source_files); why && !args.force) return wrong(*why);
   const align::Alignment found = *align::alignPlaced(pair->maps[0], pair->maps[1], options);
@@ -160,6 +160,18 @@ tl::expected<std::vector<placing::PointPair>, QString> pairsFrom(const std::vect
     pairs.push_back(*pair);
   }
   return pairs;
+}
+
+tl::expected<std::optional<geometry::Pose2>, QString> transformFrom(const std::string& typed, bool paired) {
+  if (typed.empty()) return std::nullopt;
+  const auto numbers = numbersFrom(typed);
+  if (!numbers || numbers->size() != 3)
+    return tl::make_unexpected(
+        Text::tr("--transform %1: give X,Y,YAW in metres and degrees, as maps align prints it.")
+            .arg(text(typed)));
+  if (paired) return tl::make_unexpected(Text::tr("Pass either --transform or --pair."));
+  return geometry::Pose2{(*numbers)[0], (*numbers)[1],
+                         geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]))};
 }
 
 QJsonObject transformJson(const geometry::Pose2& transform) {

@@ -161,7 +161,7 @@ std::vector<Stretch> Rehearsed::crossed() const {
 }
 
 bool Rehearsed::free() const {
-  return reach == Reach::Reached &&
+  return points > 0 && reach == Reach::Reached &&
          std::all_of(stretches.begin(), stretches.end(),
                      [](const Stretch& stretch) { return stretch.what == Crossing::Free; });
 }

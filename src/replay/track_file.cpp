@@ -91,6 +91,14 @@ TrackRead fromGeoJson(const QByteArray& text) {
 
 }  // namespace
 
+bool isTrackName(std::string_view path) {
+  const QByteArray name = QByteArray(path.data(), qsizetype(path.size())).toLower();
+  for (const char* const ending : {".csv", ".geojson", ".json", ".tum", ".txt"}) {
+    if (name.endsWith(ending)) return true;
+  }
+  return false;
+}
+
 tl::expected<std::vector<TrackPoint>, std::size_t> trackFrom(std::string_view text) {
   const auto bytes = QByteArray::fromRawData(text.data(), qsizetype(text.size()));
   const QByteArray begin = bytes.left(200).trimmed();

@@ -11,6 +11,8 @@
 
 namespace mapwright::replay {
 
+/// By its ending: .csv, .geojson, .json, .tum or .txt.
+bool isTrackName(std::string_view path);
 /// CSV, GeoJSON or TUM; which one is seen from the text. Other columns and properties may be there, too;
 /// speeds and qualities are not read. Numbers may be NaN. A TUM file is one piece. The error is the line that
 /// cannot be read; 0 = the whole.

@@ -1,0 +1,383 @@
+// `mapwright maps rehearse NEW WAY…`: what recorded ways cross on a new map (docs/tasks/new-map.md).
+#include <algorithm>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <QBuffer>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "align/align_placed.h"
+#include "align/alignment_sentence.h"
+#include "app/bag_reading.h"
+#include "app/command_map.h"
+#include "app/command_text.h"
+#include "app/map_operand.h"
+#include "app/maps_align.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "carry/rehearsal.h"
+#include "carry/rehearsal_sentence.h"
+#include "disk/written_file.h"
+#include "incident/report.h"
+#include "page/page.h"
+#include "replay/track_file.h"
+#include "sentences/fault_sentence.h"
+#include "words/fixed.h"
+#include "words/qt_plain.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+using carry::Rehearsed;
+using carry::Stretch;
+using words::text;
+
+constexpr std::size_t kMostTrackBytes = 256 << 20;
+
+/// The options as typed; empty = not given.
+struct RehearseArguments : RobotArguments {
+  RehearseArguments() { timeout_s = 300; }
+  std::string map, from, transform, resolution, origin, radius, output;
+  std::string page;  // --report NAME.html
+  std::vector<std::string> ways, pairs;
+  bool force = false;
+};
+
+struct RehearsedWay {
+  std::string name;
+  Rehearsed way;
+};
+
+/// How the ways lie on the new map.
+struct RehearsalSite {
+  OpenedMaps opened;  // the new one last
+  carry::RehearsalOptions options;
+  align::Alignment alignment;  // without a best one if it was given, or not asked for
+};
+
+CommandResult<std::vector<replay::TrackPoint>> trackFile(const std::string& path) {
+  const auto bytes = bytesOf(path, kMostTrackBytes);
+  const QString file = oneLine(text(path));
+  if (!bytes)
+    return wrong(Text::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(bytes.error().cause)));
+  if (bytes->size() > kMostTrackBytes) return wrong(Text::tr("%1 is larger than 256 MiB.").arg(file));
+  auto track = replay::trackFrom(*bytes);
+  if (track) return std::move(*track);
+  const QString what =
+      track.error() == 0
+          ? Text::tr("%1 is no track.").arg(file)
+          : Text::tr("%1 is no track: line %2 cannot be read.").arg(file).arg(qint64(track.error()));
+  return wrong(
+      QStringLiteral("%1 %2").arg(what, Text::tr("Pass a recording, or a file that bags track wrote.")));
+}
+
+/// A recording on this computer, or one of the robot.
+CommandResult<std::vector<replay::TrackPoint>> trackOfBag(RobotCommand& command,
+                                                          const RehearseArguments& args,
+                                                          const std::string& typed) {
+  std::string robot, bag = typed;
+  onRecording(robot, bag, args.robot);
+  auto opened = BagReading::open(command, text(robot));
+  if (!opened) return passOn(opened);
+  const auto replayed = opened->readThrough(bag, BagReading::Texts::Short);
+  if (!replayed) return passOn(replayed);
+  replay::PrefixIndex index;
+  const auto read =
+      opened->readRanges(std::nullopt, std::nullopt, [&](const replay::Chunk& chunk) -> CommandResult<void> {
+        index.add(replay::tickOf(chunk.from_s), replay::digestOf(chunk));
+        return {};
+      });
+  if (!read) return passOn(read);
+  opened->reportUnreadable(HUGE_VAL);
+  return replay::trackOf(index.digests());
+}
+
+CommandResult<std::vector<carry::WayPoint>> wayOf(RobotCommand& command, const RehearseArguments& args,
+                                                  const std::string& typed) {
+  const auto track = replay::isTrackName(typed) ? trackFile(typed) : trackOfBag(command, args, typed);
+  if (!track) return passOn(track);
+  std::vector<carry::WayPoint> way;
+  for (const replay::TrackPoint& point : *track)
+    way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece});
+  return way;
+}
+
+CommandResult<RehearsalSite> openRehearsal(RobotCommand& command, const RehearseArguments& args) {
+  RehearsalSite site;
+  const auto pairs = pairsFrom(args.pairs);
+  if (!pairs) return wrong(pairs.error());
+  const auto radius = radiusFrom(args.radius);
+  if (!radius) return wrong(radius.error());
+  const auto transform = transformFrom(args.transform, !pairs->empty());
+  if (!transform) return wrong(transform.error());
+  if (!pairs->empty() && args.from.empty())
+    return wrong(Text::tr("--pair needs --from, the old map that it is a point of."));
+  std::vector<std::string> maps{args.map};
+  if (!args.from.empty()) maps.insert(maps.begin(), args.from);
+  auto opened = openMaps(command, maps, text(args.robot), {args.resolution, args.origin},
+                         [&](int index, RobotReading& robot, const QString&) {
+                           if (index + 1 == int(maps.size()))
+                             site.options.radius_m = *radius ? **radius : robotRadius(robot);
+                           return std::optional<CommandFailure>();
+                         });
+  if (!opened) return passOn(opened);
+  site.opened = std::move(*opened);
+  if (!args.from.empty()) site.options.old_map = site.opened.maps[0];
+  if (*transform) {
+    site.options.transform = **transform;
+  } else if (!args.from.empty()) {
+    site.alignment = *align::alignPlaced(site.opened.maps[0], site.opened.maps[1], {.pairs = *pairs});
+    if (!site.alignment.sure())
+      return tl::make_unexpected(CommandFailure{
+          kIncomplete, Text::tr("Nothing was rehearsed. %1").arg(align::alignmentText(site.alignment))});
+    site.options.transform = site.alignment.best->transform;
+  }
+  return site;
+}
+
+QString reachName(Rehearsed::Reach reach) {
+  switch (reach) {
+    case Rehearsed::Reach::Reached:
+      return QStringLiteral("reached");
+    case Rehearsed::Reach::CutOff:
+      return QStringLiteral("cut_off");
+    case Rehearsed::Reach::NoStart:
+      return QStringLiteral("no_start");
+    case Rehearsed::Reach::NoEnd:
+      return QStringLiteral("no_end");
+  }
+  return {};
+}
+
+QJsonObject stretchJson(const Stretch& stretch) {
+  return {{QStringLiteral("what"), QLatin1String(carry::nameOf(stretch.what))},
+          {QStringLiteral("from_s"), stretch.from_s},
+          {QStringLiteral("to_s"), stretch.to_s},
+          {QStringLiteral("length_m"), stretch.length_m},
+          {QStringLiteral("x"), stretch.middle_m.x()},
+          {QStringLiteral("y"), stretch.middle_m.y()}};
+}
+
+/// docs/json.md.
+QJsonObject rehearsalJson(const RehearsalSite& site, const std::vector<RehearsedWay>& ways) {
+  QJsonArray all;
+  for (const RehearsedWay& one : ways) {
+    QJsonArray stretches;
+    for (const Stretch& stretch : one.way.crossed()) stretches << stretchJson(stretch);
+    all << QJsonObject{{QStringLiteral("name"), text(one.name)},
+                       {QStringLiteral("free"), one.way.free()},
+                       {QStringLiteral("length_m"), one.way.length_m},
+                       {QStringLiteral("start_s"), one.way.from_s},
+                       {QStringLiteral("end_s"), one.way.to_s},
+                       {QStringLiteral("reach"), reachName(one.way.reach)},
+                       {QStringLiteral("jumps"), qint64(one.way.jumps)},
+                       {QStringLiteral("left_out"), qint64(one.way.unusable)},
+                       {QStringLiteral("stretches"), stretches}};
+  }
+  return {{QStringLiteral("transform"), transformJson(site.options.transform)},
+          {QStringLiteral("radius_m"), site.options.radius_m},
+          {QStringLiteral("ways"), all}};
+}
+
+/// All stretches, also the free ones, as lines in metres of the new map.
+QByteArray rehearsalGeoJson(const std::vector<RehearsedWay>& ways) {
+  QJsonArray features;
+  for (const RehearsedWay& one : ways) {
+    for (const Stretch& stretch : one.way.stretches) {
+      QJsonArray line;
+      for (const Eigen::Vector2d& at : stretch.line) line << QJsonArray{at.x(), at.y()};
+      const bool point = stretch.line.size() == 1;
+      QJsonObject properties = stretchJson(stretch);
+      properties[QStringLiteral("way")] = text(one.name);
+      features << QJsonObject{
+          {QStringLiteral("type"), QStringLiteral("Feature")},
+          {QStringLiteral("geometry"),
+           QJsonObject{
+               {QStringLiteral("type"), point ? QStringLiteral("Point") : QStringLiteral("LineString")},
+               {QStringLiteral("coordinates"), point ? line[0] : QJsonValue(line)}}},
+          {QStringLiteral("properties"), properties}};
+    }
+  }
+  return QJsonDocument(QJsonObject{{QStringLiteral("type"), QStringLiteral("FeatureCollection")},
+                                   {QStringLiteral("units"), QStringLiteral("metres")},
+                                   {QStringLiteral("features"), features}})
+             .toJson(QJsonDocument::Compact) +
+         '\n';
+}
+
+struct CrossedStretch {
+  const RehearsedWay* of;
+  Stretch stretch;
+};
+
+/// Of all ways, the longest first.
+std::vector<CrossedStretch> allCrossed(const std::vector<RehearsedWay>& ways) {
+  std::vector<CrossedStretch> all;
+  for (const RehearsedWay& one : ways) {
+    for (Stretch& stretch : one.way.crossed()) all.push_back({&one, std::move(stretch)});
+  }
+  std::stable_sort(all.begin(), all.end(), [](const CrossedStretch& a, const CrossedStretch& b) {
+    return a.stretch.length_m > b.stretch.length_m;
+  });
+  return all;
+}
+
+QStringList cellsOf(const Stretch& stretch) {
+  return {carry::crossingText(stretch.what),     words::fixed(stretch.length_m, 2),
+          words::fixed(stretch.middle_m.x(), 2), words::fixed(stretch.middle_m.y(), 2),
+          incident::utcText(stretch.from_s),     incident::utcText(stretch.to_s)};
+}
+
+void printRehearsal(const RehearsalSite& site, const std::vector<RehearsedWay>& ways) {
+  for (const RehearsedWay& one : ways)
+    printLine(QStringLiteral("%1: %2").arg(oneLine(text(one.name)), carry::rehearsedText(one.way)));
+  std::vector<QStringList> table{{Text::tr("MEETS"), Text::tr("LENGTH (m)"), Text::tr("X (m)"),
+                                  Text::tr("Y (m)"), Text::tr("FROM (UTC)"), Text::tr("TO (UTC)"),
+                                  Text::tr("NAME")}};
+  for (const CrossedStretch& crossed : allCrossed(ways))
+    table.push_back(cellsOf(crossed.stretch) << words::plainName(crossed.of->name));
+  if (table.size() > 1) printTable(table);
+  if (site.alignment.best) printLine(align::alignmentText(site.alignment));
+}
+
+/// The report for people. nullopt = written.
+std::optional<QString> writeRehearsalPage(const RehearseArguments& args, const RehearsalSite& site,
+                                          const std::vector<RehearsedWay>& ways) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  {
+    page::Page page(buffer, Text::tr("Recorded ways on a new map"));
+    std::vector<page::Page::Fact> facts{{Text::tr("New map"), {page::Cell(page::named(args.map))}}};
+    if (!args.from.empty()) facts.push_back({Text::tr("Old map"), {page::Cell(page::named(args.from))}});
+    facts.push_back({Text::tr("Old to new"), {page::Cell(align::transformText(site.options.transform))}});
+    if (site.alignment.best)
+      facts.push_back({Text::tr("Alignment"), {page::Cell(align::alignmentText(site.alignment))}});
+    facts.push_back({Text::tr("Radius"), {page::Cell(Text::tr("%1 m").arg(site.options.radius_m))}});
+    page.facts(facts);
+    page.section(Text::tr("Ways"));
+    page.beginTable({Text::tr("Name"), Text::tr("Result")});
+    for (const RehearsedWay& one : ways) {
+      page.row(
+          {page::Cell(page::named(one.name)),
+           page::Cell(carry::rehearsedText(one.way), one.way.free() ? page::Tone::Good : page::Tone::Bad)});
+    }
+    page.endTable();
+    page.section(Text::tr("What they cross"));
+    const std::vector<CrossedStretch> all = allCrossed(ways);
+    if (all.empty()) page.paragraph(Text::tr("Nothing."));
+    if (!all.empty()) {
+      page.beginTable({Text::tr("Meets"), Text::tr("Length (m)"), Text::tr("x (m)"), Text::tr("y (m)"),
+                       Text::tr("From (UTC)"), Text::tr("To (UTC)"), Text::tr("Name")});
+      for (const CrossedStretch& crossed : all) {
+        const QStringList cells = cellsOf(crossed.stretch);
+        page.row({page::Cell(cells[0]), page::figure(cells[1]), page::figure(cells[2]),
+                  page::figure(cells[3]), page::Cell(cells[4]), page::Cell(cells[5]),
+                  page::Cell(page::named(crossed.of->name))});
+      }
+      page.endTable();
+    }
+    page.end();
+  }
+  if (const auto trouble = disk::writeFile(args.page, buffer.data().toStdString()))
+    return sentences::wordsOf(disk::notWritten(*trouble));
+  return std::nullopt;
+}
+
+CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& args) {
+  const QString output = text(args.output), printed = args.json ? QStringLiteral("-") : QString();
+  if (const auto why = output.isEmpty() ? std::nullopt : notCreatedReason(output, args.force))
+    return wrong(*why);
+  if (const auto why = args.page.empty() ? std::nullopt : notWritableReason(text(args.page)))
+    return wrong(*why);
+  if (const auto why = notTogetherReason({output, text(args.page), text(args.report), printed}))
+    return sharedOutput(*why);
+  std::vector<std::vector<carry::WayPoint>> driven;
+  for (const std::string& typed : args.ways) {
+    auto way = wayOf(command, args, typed);
+    if (!way) return passOn(way);
+    const bool any = std::any_of(way->begin(), way->end(), [](const carry::WayPoint& point) {
+      return point.position_m.allFinite() && std::isfinite(point.stamp_s);
+    });
+    if (!any) return wrong(QStringLiteral("%1: %2").arg(oneLine(text(typed)), carry::rehearsedText({})));
+    driven.push_back(std::move(*way));
+  }
+  const auto site = openRehearsal(command, args);
+  if (!site) return passOn(site);
+  std::vector<std::string> sources = site->opened.source_files;
+  sources.insert(sources.end(), args.ways.begin(), args.ways.end());
+  if (const auto why = overOwnSource({output, text(args.page)}, sources)) return wrong(*why);
+  const carry::Rehearsal rehearsal(site->opened.maps.back(), site->options);
+  std::vector<RehearsedWay> ways;
+  for (std::size_t i = 0; i < driven.size(); ++i) ways.push_back({args.ways[i], rehearsal.of(driven[i])});
+  const QJsonObject json = rehearsalJson(*site, ways);
+  command.report(QStringLiteral("rehearsal"), json);
+  if (!args.output.empty()) {
+    if (const auto trouble =
+            disk::writeFile(args.output, rehearsalGeoJson(ways).toStdString(), existingBy(args.force)))
+      return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
+  }
+  if (!args.page.empty()) {
+    if (const auto why = writeRehearsalPage(args, *site, ways)) return wrong(*why);
+  }
+  if (args.json) {
+    printJson(json);
+  } else if (!isStandardOutput(output)) {
+    printRehearsal(*site, ways);
+  }
+  const bool free =
+      std::all_of(ways.begin(), ways.end(), [](const RehearsedWay& one) { return one.way.free(); });
+  return free ? kDone : kIncomplete;
+}
+
+}  // namespace
+
+void addMapRehearsal(Commands& commands, CLI::App& maps) {
+  const auto args = std::make_shared<RehearseArguments>();
+  CLI::App* const command =
+      addReading(commands, maps, "rehearse", Text::tr("Find out what recorded ways cross on a new map"),
+                 Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), args,
+                 mapsRehearse, [](RehearseArguments& typed, const Invocation&) {
+                   const QString suffix = QFileInfo(text(typed.report)).suffix().toLower();
+                   if (suffix == QLatin1String("html") || suffix == QLatin1String("htm"))
+                     typed.page.swap(typed.report);
+                 });
+  command
+      ->add_option("new", args->map,
+                   help(Text::tr("The new map: a map of --robot, a file or address, or ID@ADDRESS")))
+      ->required();
+  command
+      ->add_option(
+          "ways", args->ways,
+          help(Text::tr("Recordings, by file or by name on --robot, or tracks that bags track wrote")))
+      ->required();
+  command->add_option("--from", args->from,
+                      help(Text::tr("The old map that they were driven on; it is aligned with the new one. "
+                                    "Without it they lie on the new map as they are")));
+  command->add_option(
+      "--transform", args->transform,
+      help(Text::tr("X,Y,YAW in metres and degrees, from the old map to the new one, instead of aligning")));
+  command
+      ->add_option("--pair", args->pairs,
+                   help(Text::tr("X,Y:X,Y: a point of the old map and the same point of the new one")))
+      ->allow_extra_args(false);
+  command->add_option(
+      "--radius", args->radius,
+      help(Text::tr("Radius of the robot in metres (default: as it reports, else 0.3); 0: only "
+                    "what the way itself meets counts")));
+  command->add_option("-o,--output", args->output,
+                      help(Text::tr("Write the ways, cut where they meet something, as GeoJSON; - is the "
+                                    "standard output")));
+  addForce(*command, args->force);
+  command->add_option(
+      "--resolution", args->resolution,
+      help(Text::tr("Metres per cell of a plain picture file or of submaps (default: 0.05)")));
+  command->add_option("--origin", args->origin,
+                      help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
+  addJson(*command, args->json);
+}
+
+}  // namespace mapwright::app
