@@ -304,6 +304,7 @@ class ManualTest : public QObject {
     row("overlays history show", "overlays history show 1 --json");
     row("bags list", "bags list --robot AXBOT --json");
     row("record", "record --robot AXBOT --duration 1 -o run.mcap --force --json");
+    row("maps rehearse", "maps rehearse map.yaml run.mcap --json");
     row("bags info", "bags info run.mcap --json");
     row("bags state", "bags state run.mcap --at -0 --json");
     row("bags events", "bags events run.mcap --json");

@@ -1,4 +1,5 @@
-// `maps align`, `waypoints carry` and `overlays carry`, as a script runs them on two maps of one building.
+// `maps align`, `maps rehearse`, `waypoints carry` and `overlays carry`, as a script runs them on two maps of
+// one building.
 #include <QTest>
 
 #include "../align/buildings.h"
@@ -52,6 +53,25 @@ class NewMapTest : public QObject {
                       "\norigin: [" + QByteArray::number(plan.corner_m.x(), 'g', 12) + ", " +
                       QByteArray::number(plan.corner_m.y(), 'g', 12) +
                       ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  }
+
+  Eigen::Vector2d placeOf(double column, double row) const {
+    return site_.corner_m + site_.resolution_m * Eigen::Vector2d(column, row);
+  }
+  /// A free aisle of 3 m, a way through it, and today a shelf right across.
+  void putAisle() const {
+    Plan old = site_;
+    testing::fill(old, 8, 8, 70, 42, Ground::Free);
+    putMap("old", old);
+    testing::fill(old, 30, 1, 34, 60, Ground::Wall);
+    putMap("today", testing::mappedAgain(old, kTruth, 0.05));
+    QByteArray way = "stamp_s,x_m,y_m\n";
+    for (int i = 0; i <= 40; ++i) {
+      const Eigen::Vector2d at = placeOf(15.5 + i, 25.5);
+      way += QByteArray::number(1000 + i * 0.05, 'f', 3) + ',' + QByteArray::number(at.x(), 'f', 4) + ',' +
+             QByteArray::number(at.y(), 'f', 4) + '\n';
+    }
+    program_->put("way.csv", way);
   }
 
  private Q_SLOTS:
@@ -166,6 +186,126 @@ class NewMapTest : public QObject {
     QVERIFY2(carried.code == 0, qPrintable(carried.err));  // both are there already
     const QJsonObject item = carried.object()[QLatin1String("items")][0].toObject();
     QVERIFY(std::abs(item[QLatin1String("x")].toDouble() - dock_.x() - 1) < 1e-3);
+  }
+
+  void aWayOfLastWeekThatAShelfOfTodayStandsInIsFound() {
+    putAisle();
+    const tests::Ended before = run(QStringLiteral("maps rehearse old.yaml way.csv"));
+    QVERIFY2(before.code == 0 && before.out.contains(QLatin1String("way.csv: 2.0 m, all free.")),
+             qPrintable(before.err + before.out));
+    const QString line = QStringLiteral("maps rehearse today.yaml way.csv --from old.yaml");
+    const tests::Ended found = run(line + QStringLiteral(" --json -o w.geojson --report r.html"));
+    QVERIFY2(found.code == 1, qPrintable(found.err + found.out));
+    const QJsonObject way = found.object()[QLatin1String("ways")][0].toObject();
+    QVERIFY(!way[QLatin1String("free")].toBool());
+    QCOMPARE(way[QLatin1String("reach")].toString(), QStringLiteral("reached"));
+    const QJsonArray stretches = way[QLatin1String("stretches")].toArray();
+    QCOMPARE(stretches.size(), 1);
+    const QJsonObject shelf = stretches[0].toObject();
+    QCOMPARE(shelf[QLatin1String("what")].toString(), QStringLiteral("obstacle"));
+    const Eigen::Vector2d middle(shelf[QLatin1String("x")].toDouble(), shelf[QLatin1String("y")].toDouble());
+    QVERIFY((middle - kTruth.apply(placeOf(32.5, 25.5))).norm() < 0.15);
+    QVERIFY(std::abs(shelf[QLatin1String("from_s")].toDouble() - 1000.43) < 0.12);
+    double length_m = 0;
+    const QJsonArray lines =
+        QJsonDocument::fromJson(program_->bytes("w.geojson"))[QLatin1String("features")].toArray();
+    for (const QJsonValue feature : lines)
+      length_m += feature[QLatin1String("properties")][QLatin1String("length_m")].toDouble();
+    QCOMPARE(lines.size(), 3);
+    QVERIFY(std::abs(length_m - 2) < 1e-3);
+    QVERIFY(program_->bytes("r.html").contains("in an obstacle"));
+    const tests::Ended table = run(line);
+    QVERIFY2(
+        table.out.contains(QLatin1String("MEETS")) && table.out.contains(QLatin1String("in an obstacle")),
+        qPrintable(table.out));
+  }
+
+  void aTransformAndARadiusAreUsed() {
+    putAisle();
+    const auto crossed = [&](const char* more) {
+      const tests::Ended ended =
+          run(QStringLiteral("maps rehearse old.yaml way.csv --json ") + QLatin1String(more));
+      return ended.object()[QLatin1String("ways")][0][QLatin1String("stretches")].toArray();
+    };
+    QCOMPARE(crossed("").size(), 0);
+    QVERIFY(!crossed("--radius 1.5").isEmpty());
+    const QJsonArray away = crossed("--transform 500,0,0");
+    QCOMPARE(away.size(), 1);
+    QCOMPARE(away[0][QLatin1String("what")].toString(), QStringLiteral("outside"));
+  }
+
+  void whereTheMapsDoNotFitNoWayIsRehearsed() {
+    putAisle();
+    Chance chance(77);
+    const Plan plain = testing::building(chance);
+    putMap("other", testing::furnished(plain, chance, 10));
+    const tests::Ended ended =
+        run(QStringLiteral("maps rehearse other.yaml way.csv --from old.yaml -o w.geojson"));
+    QCOMPARE(ended.code, 1);
+    QVERIFY2(ended.err.contains(QLatin1String("Nothing was rehearsed.")), qPrintable(ended.err));
+    QVERIFY(!QFile::exists(program_->path("w.geojson")));
+  }
+
+  void aRecordingIsReadAsItsTrackIs() {
+    QCOMPARE(run(QStringLiteral("record --robot demo: --duration 3 -o run.mcap")).code, 0);
+    QCOMPARE(run(QStringLiteral("maps export --robot demo: -o demo.yaml")).code, 0);
+    for (const char* suffix : {"csv", "geojson", "tum"}) {
+      const QString file = QStringLiteral("run.") + QLatin1String(suffix);
+      QCOMPARE(run(QStringLiteral("bags track run.mcap -o ") + file).code, 0);
+      const tests::Ended both =
+          run(QStringLiteral("maps rehearse demo.yaml run.mcap ") + file + QStringLiteral(" --json"));
+      QVERIFY2(both.code == 0 || both.code == 1, qPrintable(both.err));
+      const QJsonValue ways = both.object()[QLatin1String("ways")];
+      const double length_m = ways[0][QLatin1String("length_m")].toDouble();
+      QVERIFY(length_m > 0.1);
+      QVERIFY(std::abs(ways[1][QLatin1String("length_m")].toDouble() - length_m) < 1e-3);
+      QCOMPARE(ways[1][QLatin1String("stretches")].toArray().size(),
+               ways[0][QLatin1String("stretches")].toArray().size());
+    }
+  }
+
+  void whatIsNoWayIsRefused_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char* words, const char* said) {
+      QTest::newRow(words) << QString::fromLatin1(words) << QString::fromLatin1(said);
+    };
+    row("old.yaml none.csv", "none.csv cannot be read");
+    row("old.yaml none.mcap", "none.mcap");
+    row("old.yaml points.geojson", "points.geojson is no track");
+    row("old.yaml head.csv", "head.csv: It has no position of the robot.");
+    row("old.yaml broken.csv", "broken.csv is no track: line 2 cannot be read.");
+    row("old.yaml broken.mcap", "broken.mcap");
+    row("old.yaml way.csv none.csv -o w.geojson", "none.csv cannot be read");
+    row("none.yaml way.csv", "none.yaml");
+    row("old.yaml way.csv --radius x", "--radius");
+    row("old.yaml way.csv --pair 1,2:3,4", "--from");
+    row("old.yaml way.csv --transform 1,2", "--transform");
+    row("old.yaml way.csv -o way.csv", "way.csv");
+    row("old.yaml way.csv -o way.csv --force", "way.csv");
+    row("old.yaml", "ways");
+  }
+  void whatIsNoWayIsRefused() {
+    QFETCH(QString, words);
+    QFETCH(QString, said);
+    putAisle();
+    const QByteArray way = program_->bytes("way.csv");
+    program_->put("head.csv", "stamp_s,x_m,y_m\n");
+    program_->put("broken.csv", "stamp_s,x_m,y_m\n1,2\n");
+    program_->put("broken.mcap", "\x89MCAP0\r\n, and then nothing");
+    const tests::Ended ended = run(QStringLiteral("maps rehearse ") + words);
+    QVERIFY2(ended.code == 2 && ended.out.isEmpty() && ended.err.contains(said), qPrintable(ended.err));
+    QVERIFY(!QFile::exists(program_->path("w.geojson")));
+    QCOMPARE(program_->bytes("way.csv"), way);
+  }
+
+  void positionsThatAreNoNumbersAreSaid() {
+    putAisle();
+    program_->put("odd.csv", program_->bytes("way.csv") + "1002,nan,3\n");
+    const tests::Ended ended = run(QStringLiteral("maps rehearse old.yaml odd.csv"));
+    QVERIFY2(ended.out.contains(QLatin1String("because they are no numbers: 1.")), qPrintable(ended.out));
+    program_->put("nothing.csv", "stamp_s,x_m,y_m\n1002,nan,3\n");
+    QCOMPARE(run(QStringLiteral("maps rehearse old.yaml nothing.csv")).code, 2);
   }
 
   void whatContradictsItselfIsRefused_data() {

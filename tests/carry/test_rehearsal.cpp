@@ -214,7 +214,7 @@ class TestRehearsal : public QObject {
       QCOMPARE(way.stretches[0].what, Crossing::Outside);
     }
     const Rehearsed nothing = rehearsed(hall(), {});
-    QVERIFY(nothing.stretches.empty() && nothing.points == 0);
+    QVERIFY(nothing.stretches.empty() && nothing.points == 0 && !nothing.free());
   }
 
   void randomWaysAgreeWithAReadingCellByCell_data() {
