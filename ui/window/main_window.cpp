@@ -39,6 +39,7 @@
 #include "ui/regions/regions_controller.h"
 #include "ui/replay/recording_controller.h"
 #include "ui/replay/recordings_controller.h"
+#include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/replay_controller.h"
 #include "ui/robot/connection_controller.h"
 #include "ui/robot/problems_controller.h"
@@ -199,6 +200,11 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(pose_);
   make(reference_, *placing_,
        [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
+  auto* const rehearsal = new RehearsalController(
+      context, [connect = dependencies.connect](const QString& address) { return connect(address, {}); },
+      this);
+  controllers_.push_back(rehearsal);
+  connect(reference_, &ReferenceController::laidChanged, rehearsal, &RehearsalController::setLaid);
   make(robot_);
   make(messages_);
   make(files_, *placing_);

@@ -1,0 +1,251 @@
+#include "ui/replay/rehearsal_controller.h"
+
+#include <limits>
+#include <utility>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGraphicsItem>
+#include <QPainter>
+
+#include "carry/rehearsal.h"
+#include "carry/rehearsal_sentence.h"
+#include "disk/file_error.h"
+#include "disk/read_file.h"
+#include "excerpt/excerpt_job.h"
+#include "placing/warnings.h"
+#include "replay/track_file.h"
+#include "scene/drawing.h"
+#include "scene/map_scene.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "session/session.h"
+#include "ui/kit/actions.h"
+#include "ui/kit/folders.h"
+#include "ui/kit/panels.h"
+#include "ui/replay/rehearsal_dock.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/viewpoint.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+namespace {
+
+constexpr double kAroundPlace_m = 3;
+constexpr std::size_t kMostTrackBytes = 256 << 20;
+
+}  // namespace
+
+class RehearsalController::Line : public QGraphicsItem {
+ public:
+  explicit Line(scene::MapScene& scene) : scene_(scene) {
+    setZValue(std::numeric_limits<int>::max());
+    setAcceptedMouseButtons(Qt::NoButton);
+    scene.addItem(this);
+  }
+  void show(std::vector<carry::Stretch> stretches) {
+    prepareGeometryChange();
+    stretches_ = std::move(stretches);
+    update();
+  }
+  void follow() {
+    prepareGeometryChange();
+    update();
+  }
+  const std::vector<carry::Stretch>& stretches() const { return stretches_; }
+
+  QRectF boundingRect() const override {
+    const geometry::ViewTransform& view = scene_.view();
+    return stretches_.empty() ? QRectF() : QRectF(0, 0, double(view.width_px), double(view.height_px));
+  }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->setRenderHint(QPainter::Antialiasing);
+    const auto draw = [&](const carry::Stretch& stretch, const QPen& pen) {
+      painter->setPen(pen);
+      if (stretch.line.size() == 1) {
+        painter->drawPoint(scene::toPoint(scene_.view().pixelFromWorld(stretch.line[0])));
+        return;
+      }
+      for (const QPolygonF& line : scene::visibleLines(scene_.view(), stretch.line, 8))
+        painter->drawPolyline(line);
+    };
+    for (const carry::Stretch& stretch : stretches_)
+      draw(stretch, QPen(scene_.theme().text_halo, penOf(stretch.what, scene_.theme()).widthF() + 3));
+    for (const bool free : {true, false}) {  // what is free never hides what is not
+      for (const carry::Stretch& stretch : stretches_) {
+        if ((stretch.what == carry::Crossing::Free) == free)
+          draw(stretch, penOf(stretch.what, scene_.theme()));
+      }
+    }
+  }
+
+ private:
+  scene::MapScene& scene_;
+  std::vector<carry::Stretch> stretches_;
+};
+
+RehearsalController::RehearsalController(WindowContext& context, MakeRobot make_robot, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      make_robot_(std::move(make_robot)),
+      dock_(new RehearsalDock(&context.window)),
+      line_(std::make_unique<Line>(context.scene)),
+      share_(context.workers) {
+  context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 72, .menu_rank = 38, .open = false});
+  context_.actions.add({.id = "rehearseWay",
+                        .text = tr("Rehearse a recorded &way…"),
+                        .icon = "layers",
+                        .tip = tr("Find out what a recorded way crosses on the map on screen"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::WholeMap, 27}},
+                       this, [this] {
+                         context_.panels.open(dock_);
+                         choose();
+                       });
+  connect(dock_, &RehearsalDock::chooseWanted, this, &RehearsalController::choose);
+  connect(dock_, &RehearsalDock::againWanted, this, [this] { rehearse(QString(path_)); });
+  connect(dock_, &RehearsalDock::removeWanted, this, [this] {
+    path_.clear();
+    forget({});
+  });
+  connect(dock_, &RehearsalDock::placeWanted, this, &RehearsalController::goTo);
+  connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] { line_->follow(); });
+  connect(&context_.scene, &scene::MapScene::contentChanged, this, [this] {
+    if (!path_.isEmpty()) forget(tr("Another map is on screen now. Press Again."));
+  });
+  forget({});
+}
+
+RehearsalController::~RehearsalController() {
+  cancelled_->store(true);
+  delete dock_;
+}
+
+const std::vector<carry::Stretch>& RehearsalController::shown() const { return line_->stretches(); }
+
+void RehearsalController::choose() {
+  const QString path = QFileDialog::getOpenFileName(
+      &context_.window, tr("Choose a recorded way"),
+      path_.isEmpty() ? lastMapFolder(context_.settings) : QFileInfo(path_).absolutePath(),
+      tr("Recordings and tracks (*.mcap *.bag *.db3 *.csv *.geojson *.json *.tum)"));
+  if (!path.isEmpty()) rehearse(path);
+}
+
+void RehearsalController::rehearse(const QString& path) {
+  path_ = path;
+  const session::Session* const session = context_.current.session();
+  if (!session || !session->wholeMap().cells()) return forget(tr("There is no whole map on screen."));
+  if (!session->wholeMap().settled()) return forget(tr("The map on screen is still being read."));
+  forget(tr("Reading %1…").arg(words::plainName(QFileInfo(path).fileName())));
+  context_.panels.open(dock_);
+  replay::isTrackName(path.toStdString()) ? run(path) : readRecording(path);
+}
+
+void RehearsalController::readRecording(const QString& path) {
+  auto robot = make_robot_(QStringLiteral("file:") + QFileInfo(path).absoluteFilePath());
+  if (!robot) return forget(robot.error());
+  origin_ = std::move(*robot);
+  robot::BagLibrary* const library = origin_->bagLibrary();
+  if (!library) return forget(tr("This is no recording."));
+  library->list([this, library, over = cancelled_](const robot::Outcome<std::vector<robot::BagEntry>>& rows) {
+    if (*over) return;
+    if (!rows) return forget(QString::fromStdString(sentences::sentenceOf(rows.error())));
+    if (rows->empty()) return forget(tr("This is no recording."));
+    excerpt::Order order;
+    order.kind = excerpt::Kind::TrackCsv;
+    order.path = folder_.filePath(QStringLiteral("way.csv")).toStdString();
+    job_ = std::make_unique<excerpt::ExcerptJob>(excerpt::ExcerptJob::Source{library, rows->front().key, {}},
+                                                 order, context_.workers);
+    const auto onEnded = [this, over](const excerpt::Ended& ended) {
+      if (*over) return;
+      if (ended.not_read) return forget(QString::fromStdString(sentences::sentenceOf(*ended.not_read)));
+      if (ended.not_written) return forget(sentences::sentenceOf(*ended.not_written));
+      if (ended.written) run(folder_.filePath(QStringLiteral("way.csv")));
+    };
+    // Queued: it may be deleted then.
+    connect(job_.get(), &excerpt::ExcerptJob::ended, this, onEnded, Qt::QueuedConnection);
+    job_->start();
+  });
+}
+
+void RehearsalController::run(const QString& track_file) {
+  const session::Session* const session = context_.current.session();
+  if (!session || !session->wholeMap().cells()) return forget(tr("There is no whole map on screen."));
+  const double told_m = placing::radiusOf(session->live().model);
+  carry::RehearsalOptions options{.radius_m = told_m > 0 ? told_m : placing::kUsualRadiusM};
+  if (laid_) options.transform = laid_->pose, options.old_map = laid_->map;
+  const render::PlacedGrid map{session->wholeMap().cells(), session->wholeMap().reference()};
+  share_.startLong([this, cancelled = cancelled_, file = track_file.toStdString(), map, options] {
+    // Unless it is cancelled meanwhile.
+    const auto tell = [&](auto what) {
+      QMetaObject::invokeMethod(
+          this,
+          [cancelled, what = std::move(what)] {
+            if (!*cancelled) what();
+          },
+          Qt::QueuedConnection);
+    };
+    const auto bytes = disk::readFile(file, kMostTrackBytes);
+    if (!bytes) return tell([this, why = bytes.error()] { forget(sentences::wordsOf(why.cause)); });
+    const auto track = replay::trackFrom(*bytes);
+    if (!track)
+      return tell(
+          [this] { forget(tr("This is no track. Choose a recording, or a track that was exported.")); });
+    std::vector<carry::WayPoint> way;
+    for (const replay::TrackPoint& point : *track)
+      way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece});
+    tell([this, found = carry::Rehearsal(map, options).of(way)] { onRehearsed(found); });
+  });
+}
+
+void RehearsalController::onRehearsed(const carry::Rehearsed& way) {
+  crossed_ = way.crossed();
+  line_->show(way.stretches);
+  dock_->setStretches(crossed_, context_.scene.theme());
+  const QString name = words::plainName(QFileInfo(path_).fileName());
+  dock_->setSaid(
+      QStringLiteral("%1: %2 %3")
+          .arg(name, carry::rehearsedText(way),
+               laid_ ? tr("It was moved as the reference map lies.") : tr("It lies as it was recorded.")));
+  geometry::WorldRect all;
+  for (const carry::Stretch& stretch : way.stretches) {
+    for (const Eigen::Vector2d& at : stretch.line) all.extend(at);
+  }
+  if (!all.empty()) context_.viewpoint.lookAt(all);
+}
+
+void RehearsalController::forget(const QString& said) {
+  cancelled_->store(true);
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  job_.reset();
+  crossed_.clear();
+  line_->show({});
+  dock_->setStretches({}, context_.scene.theme());
+  dock_->setChosen(!path_.isEmpty());
+  dock_->setSaid(!said.isEmpty() ? said
+                                 : tr("Choose a recorded way to see what it crosses on this map. If it was "
+                                      "driven on an old map, lay and align that as a reference map first."));
+}
+
+void RehearsalController::goTo(int row) {
+  if (row < 0 || std::size_t(row) >= crossed_.size()) return;
+  const Eigen::Vector2d at = crossed_[std::size_t(row)].middle_m;
+  context_.scene.setMarker(at);
+  context_.viewpoint.lookAt(
+      {at.x() - kAroundPlace_m, at.y() - kAroundPlace_m, at.x() + kAroundPlace_m, at.y() + kAroundPlace_m});
+}
+
+void RehearsalController::setLaid(const std::optional<LaidMap>& laid) {
+  if (laid == laid_) return;
+  laid_ = laid;
+  if (!path_.isEmpty()) forget(tr("The reference map was moved, or is another one now. Press Again."));
+}
+
+void RehearsalController::setSession(session::Session*) {
+  path_.clear();
+  forget({});
+}
+
+}  // namespace mapwright::window
+
+#include "moc_rehearsal_controller.cpp"

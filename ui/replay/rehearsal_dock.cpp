@@ -1,0 +1,120 @@
+#include "ui/replay/rehearsal_dock.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QStandardItemModel>
+#include <QTableView>
+
+#include "carry/rehearsal_sentence.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/name_column.h"
+#include "ui/kit/tree_view.h"
+#include "ui/kit/wrapping_row.h"
+#include "ui/replay/timeline_axis.h"
+#include "words/fixed.h"
+
+namespace mapwright::window {
+namespace {
+
+QIcon sampleOf(carry::Crossing what, const scene::MapTheme& theme) {
+  constexpr int kEdge = 16, kSharp = 2;
+  QPixmap sample(kEdge * kSharp, kEdge * kSharp);
+  sample.setDevicePixelRatio(kSharp);
+  sample.fill(Qt::transparent);
+  QPainter painter(&sample);
+  QPen pen = penOf(what, theme);
+  pen.setWidthF(pen.widthF() / 2);  // so that its dashes are seen
+  painter.setPen(pen);
+  painter.drawLine(QPointF(1, kEdge / 2.0), QPointF(kEdge - 1, kEdge / 2.0));
+  return sample;
+}
+
+}  // namespace
+
+QPen penOf(carry::Crossing what, const scene::MapTheme& theme) {
+  switch (what) {
+    case carry::Crossing::Free:
+      return QPen(theme.good, 2.5);
+    case carry::Crossing::Outside:
+    case carry::Crossing::Unknown:
+      return QPen(theme.text, 3.5, Qt::DotLine);
+    case carry::Crossing::TooClose:
+      return QPen(theme.warn, 4, Qt::DashLine);
+    case carry::Crossing::Obstacle:
+      break;
+  }
+  return QPen(theme.bad, 6);
+}
+
+RehearsalDock::RehearsalDock(QWidget* parent)
+    : QDockWidget(tr("Rehearse"), parent),
+      said_(textLabel({}, this)),
+      choose_(compactButton(tr("Choose a way…"), this, tr("A recording, or a track that was exported"))),
+      again_(compactButton(tr("Again"), this, tr("Read it again, and lay it on the map as it is now"))),
+      remove_(compactButton(tr("Remove"), this, tr("Take the way off the map"))),
+      model_(new QStandardItemModel(0, 3, this)),
+      table_(new QuietTableView(this)) {
+  setObjectName(QStringLiteral("rehearsal"));
+  model_->setHorizontalHeaderLabels({tr("Meets"), tr("Length (m)"), tr("From (UTC)")});
+  showRows(*table_, model_, tr("What the way crosses"));
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  QHeaderView* const header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  for (const int column : {1, 2})
+    header->resizeSection(column,
+                          fontMetrics().horizontalAdvance(model_->horizontalHeaderItem(column)->text()) + 28);
+  new NameColumn(table_, header, 0, {{2}, {1}});
+  table_->installEventFilter(this);
+  auto* const buttons = new WrappingRow(QMargins(), 8);
+  for (QPushButton* const button : {choose_, again_, remove_}) buttons->add(button);
+  auto* const body = new QWidget(this);
+  body->setLayout(columnOf({said_, buttons, {table_, 1}}, 6, QMargins(8, 6, 8, 6)));
+  setWidget(body);
+  connect(choose_, &QPushButton::clicked, this, &RehearsalDock::chooseWanted);
+  connect(again_, &QPushButton::clicked, this, &RehearsalDock::againWanted);
+  connect(remove_, &QPushButton::clicked, this, &RehearsalDock::removeWanted);
+  connect(table_, &QTableView::clicked, this,
+          [this](const QModelIndex& at) { Q_EMIT placeWanted(at.row()); });
+  setChosen(false);
+}
+
+RehearsalDock::~RehearsalDock() { table_->removeEventFilter(this); }
+
+void RehearsalDock::setSaid(const QString& said) { said_->setText(said); }
+
+QString RehearsalDock::said() const { return said_->text(); }
+
+void RehearsalDock::setChosen(bool chosen) {
+  again_->setEnabled(chosen);
+  remove_->setEnabled(chosen);
+}
+
+void RehearsalDock::setStretches(const std::vector<carry::Stretch>& stretches, const scene::MapTheme& theme) {
+  model_->setRowCount(0);
+  for (const carry::Stretch& stretch : stretches) {
+    auto* const when = new QStandardItem(clockText(stretch.from_s, 0));
+    when->setToolTip(QStringLiteral("%1 %2").arg(dayText(stretch.from_s), when->text()));
+    model_->appendRow({new QStandardItem(sampleOf(stretch.what, theme), carry::crossingText(stretch.what)),
+                       new QStandardItem(words::fixed(stretch.length_m, 2)), when});
+  }
+}
+
+bool RehearsalDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && table_->currentIndex().isValid()) {
+      Q_EMIT placeWanted(table_->currentIndex().row());
+      return true;
+    }
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_rehearsal_dock.cpp"
