@@ -1,0 +1,132 @@
+// A recorded way on the map on screen: what it crosses is drawn and listed.
+#include <QFile>
+#include <QStandardItemModel>
+#include <QTableView>
+#include <QtTest>
+
+#include "reference_bench.h"
+#include "scene/map_scene.h"
+#include "test_program.h"
+#include "ui/replay/rehearsal_controller.h"
+#include "ui/replay/rehearsal_dock.h"
+
+namespace test_window_rehearsal {
+
+using namespace mapwright;
+using namespace mapwright::window;
+using carry::Crossing;
+using test::Site;
+
+namespace {
+
+struct RehearsalBench : test::ReferenceBench {
+  /// The hall has a new rack.
+  void openHall() {
+    Site now = Site::rooms();
+    now.wall(200, 110, 220, 130);
+    openOn(now, Site::rooms().turned());
+  }
+  RehearsalController& rehearsal() { return *part<RehearsalController>(*window); }
+  RehearsalDock& way_dock() { return *part<RehearsalDock>(*window); }
+  /// Through the hall, where the rack is now; as the old map has it, or the one on screen.
+  QString wayFile(bool on_old) {
+    QByteArray text = "stamp_s,x_m,y_m\n";
+    for (int i = 0; i <= 60; ++i) {
+      const double x = 7 + i * 0.1, y = 6;
+      text += QByteArray::number(1'717'405'200 + i * 0.2, 'f', 3) + ',' +
+              QByteArray::number(on_old ? 12 - y : x) + ',' + QByteArray::number(on_old ? x : y) + '\n';
+    }
+    return put("way.csv", text);
+  }
+  QString put(const char* name, const QByteArray& bytes) {
+    QFile file(folder.filePath(QLatin1String(name)));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("not written");
+    return file.fileName();
+  }
+  QString meets(int row) { return way_dock().table()->model()->index(row, 0).data().toString(); }
+  void waitForWay() { QTRY_VERIFY_WITH_TIMEOUT(!rehearsal().shown().empty(), 60'000); }
+};
+
+}  // namespace
+
+class TestWindowRehearsal : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aWayOfTheOldMapIsDrawnWhereItLiesNow() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.align();
+    bench.rehearsal().rehearse(bench.wayFile(true));
+    bench.waitForWay();
+    QVERIFY(bench.way_dock().isVisible());
+    const auto& shown = bench.rehearsal().shown();
+    QCOMPARE(shown.size(), 3U);
+    QCOMPARE(shown[0].what, Crossing::Free);
+    QCOMPARE(shown[1].what, Crossing::Obstacle);
+    QCOMPARE(shown[2].what, Crossing::Free);
+    QCOMPARE(bench.way_dock().table()->model()->rowCount(), 1);
+    QCOMPARE(bench.meets(0), QStringLiteral("in an obstacle"));
+    for (const char* part : {"way.csv: 6.0 m. Not free: ", "as the reference map lies"})
+      QVERIFY2(bench.way_dock().said().contains(QLatin1String(part)), qPrintable(bench.way_dock().said()));
+
+    QTableView* const table = bench.way_dock().table();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualRect(table->model()->index(0, 0)).center());
+    const auto& marker = bench.window->mapScene()->marker();
+    QVERIFY(marker && (*marker - Eigen::Vector2d(10.5, 6)).norm() < 0.1);
+  }
+
+  void withoutAReferenceMapItLiesAsRecorded() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.reference()->removeMap();
+    bench.rehearsal().rehearse(bench.wayFile(false));
+    bench.waitForWay();
+    QCOMPARE(bench.meets(0), QStringLiteral("in an obstacle"));
+    QVERIFY(bench.way_dock().said().contains(QLatin1String("as it was recorded")));
+  }
+
+  void aReferenceMapThatMovesTakesItOffAndAgainBringsItBack() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.rehearsal().rehearse(bench.wayFile(true));
+    bench.waitForWay();
+    bench.align();
+    QTRY_VERIFY(bench.rehearsal().shown().empty());
+    QVERIFY2(bench.way_dock().said().contains(QLatin1String("Press Again")),
+             qPrintable(bench.way_dock().said()));
+    QTest::mouseClick(bench.way_dock().againButton(), Qt::LeftButton);
+    bench.waitForWay();
+    QCOMPARE(bench.meets(0), QStringLiteral("in an obstacle"));
+    QTest::mouseClick(bench.way_dock().removeButton(), Qt::LeftButton);
+    QVERIFY(bench.rehearsal().shown().empty());
+    QVERIFY(!bench.way_dock().againButton()->isEnabled());
+  }
+
+  void whatIsNoWayIsSaid() {
+    RehearsalBench bench;
+    bench.openHall();
+    const auto said = [&](const QString& path, const char* part) {
+      bench.rehearsal().rehearse(path);
+      QTRY_VERIFY2(bench.way_dock().said().contains(QLatin1String(part)),
+                   qPrintable(bench.way_dock().said()));
+      QVERIFY(bench.rehearsal().shown().empty());
+    };
+    said(bench.put("other.csv", "Hello\n"), "This is no track.");
+    said(bench.put("none.csv", "stamp_s,x_m,y_m\n1,nan,2\n"), "It has no position of the robot.");
+    said(bench.folder.filePath(QStringLiteral("missing.csv")), "No such file");
+    said(bench.put("run.mcap", "nothing"), "This is no recording.");
+  }
+
+  void withoutAWholeMapNothingIsRehearsed() {
+    RehearsalBench bench;
+    bench.openOnRobot();
+    bench.rehearsal().rehearse(bench.wayFile(false));
+    QCOMPARE(bench.way_dock().said(), QStringLiteral("There is no whole map on screen."));
+  }
+};
+
+}  // namespace test_window_rehearsal
+
+MAPWRIGHT_TEST(test_window_rehearsal, TestWindowRehearsal, Widgets)
+#include "test_window_rehearsal.moc"
