@@ -18,6 +18,9 @@ constexpr double kJoin_m = 0.2;
 /// Walls beyond the radius are looked for this far, which saves looking again at every step.
 constexpr double kLookAhead_m = 0.5;
 
+/// Of a long way so many are looked at together, which bounds the memory: 12 km in cells of 5 cm.
+constexpr std::size_t kMostSamples = 1'000'000;
+
 struct Sample {
   Eigen::Vector2d at{0, 0};  // on the new map
   Eigen::Vector2d old_at{0, 0};
@@ -144,6 +147,14 @@ Stretch stretchOf(const std::vector<Sample>& piece, const Run& run) {
   return stretch;
 }
 
+/// What follows it at once.
+void append(Stretch& stretch, const Stretch& next) {
+  if (next.length_m > stretch.length_m) stretch.middle_m = next.middle_m;
+  stretch.length_m += next.length_m;
+  stretch.to_s = next.to_s;
+  stretch.line.insert(stretch.line.end(), next.line.begin() + 1, next.line.end());
+}
+
 }  // namespace
 
 const char* nameOf(Crossing crossing) {
@@ -184,6 +195,7 @@ Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
   const geometry::Pose2& transform = parts_->options.transform;
   const double step_m = stepOn(parts_->new_map);
   std::vector<Sample> piece;
+  bool goes_on = false;  // from what was looked at before
   const auto finish = [&] {
     if (piece.empty()) return;
     feet.look(piece);
@@ -191,9 +203,15 @@ Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
     widenObstacles(piece, 2 * parts_->options.radius_m + step_m);
     join(piece);
     for (const Run& run : runsOf(piece)) {
-      out.stretches.push_back(stretchOf(piece, run));
-      out.lengths_m[std::size_t(out.stretches.back().what)] += out.stretches.back().length_m;
+      Stretch stretch = stretchOf(piece, run);
+      out.lengths_m[std::size_t(stretch.what)] += stretch.length_m;
+      if (run.begin == 0 && goes_on && out.stretches.back().what == stretch.what) {
+        append(out.stretches.back(), stretch);
+      } else {
+        out.stretches.push_back(std::move(stretch));
+      }
     }
+    goes_on = false;
     out.length_m += piece.back().along_m;
     piece.clear();
   };
@@ -217,6 +235,11 @@ Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
       const int steps = std::max(1, int(std::ceil((to.along_m - from.along_m) / step_m)));
       for (int i = 1; i < steps; ++i) piece.push_back(between(from, to, double(i) / steps));
       piece.push_back(to);
+    }
+    if (piece.size() > kMostSamples) {
+      finish();
+      goes_on = true;
+      piece.push_back(sample);
     }
     out.from_s = out.points == 0 ? point.stamp_s : std::min(out.from_s, point.stamp_s);
     out.to_s = out.points == 0 ? point.stamp_s : std::max(out.to_s, point.stamp_s);

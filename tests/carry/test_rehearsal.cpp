@@ -193,6 +193,20 @@ class TestRehearsal : public QObject {
     QVERIFY(!way.free());
   }
 
+  /// More than what is looked at together.
+  void aWayOfManyKilometresIsStillOneWay() {
+    std::vector<WayPoint> way;
+    for (int i = 0; i < 40'000; ++i) way.push_back({{i % 2 == 0 ? 2.0 : 2.9, 5}, double(i), 0});
+    const Rehearsed free = rehearsed(hall(), way);
+    QVERIFY(free.free());
+    QCOMPARE(free.stretches.size(), 1U);
+    QCOMPARE(free.stretches[0].line.size(), way.size());
+    QVERIFY(std::abs(free.length_m - 0.9 * 39'999) < 1e-3);
+    QVERIFY(std::abs(free.stretches[0].length_m - free.length_m) < 1e-3);
+    QCOMPARE(free.stretches[0].to_s, 39'999.0);
+    QCOMPARE(free.jumps, 0U);
+  }
+
   void numbersThatAreNoneAreLeftOutAndCounted() {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = HUGE_VAL;
     std::vector<WayPoint> way = kThroughTheDoor;
