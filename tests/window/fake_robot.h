@@ -167,6 +167,7 @@ class FakeRobot : public robot::Robot,
   robot::Localization* localization() override { return localizing; }
   robot::MapTransfer* mapTransfer() override { return transferring; }
   robot::WaypointStore* waypointStore() override { return waypoint_store; }
+  robot::BagLibrary* bagLibrary() override { return bags; }
   robot::WaypointSource* waypointSource() override { return told_waypoints ? this : nullptr; }
 
   robot::Call waypoints(const map::MapKey&, robot::OutcomeTo<map::WaypointList> reply) override {
@@ -276,6 +277,7 @@ class FakeRobot : public robot::Robot,
   robot::Localization* localizing = nullptr;           // likewise
   robot::MapTransfer* transferring = nullptr;          // likewise
   robot::WaypointStore* waypoint_store = nullptr;      // not owned
+  robot::BagLibrary* bags = nullptr;                   // not owned
   robot::PoseGraphSource* pose_graph = nullptr;        // not owned
   robot::PictureStore* picture_store = nullptr;        // not owned
   robot::OverlayStore* overlay_store = nullptr;        // not owned

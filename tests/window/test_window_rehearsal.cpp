@@ -7,6 +7,7 @@
 #include "reference_bench.h"
 #include "scene/map_scene.h"
 #include "test_program.h"
+#include "text_bag.h"
 #include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/rehearsal_dock.h"
 
@@ -15,11 +16,29 @@ namespace test_window_rehearsal {
 using namespace mapwright;
 using namespace mapwright::window;
 using carry::Crossing;
+using test::FakeRobot;
 using test::Site;
 
 namespace {
 
+/// A recording as a robot with one bag.
+struct OneBag : test::TextBag {
+  robot::Call list(robot::OutcomeTo<std::vector<robot::BagEntry>> reply) override {
+    robot::BagEntry row;
+    row.key = {robot::BagKind::File, "run.mcap"};
+    QMetaObject::invokeMethod(
+        this, [row, reply] { reply(std::vector<robot::BagEntry>{row}); }, Qt::QueuedConnection);
+    return {};
+  }
+};
+
 struct RehearsalBench : test::ReferenceBench {
+  RehearsalBench() {
+    also = [this](FakeRobot& made) {
+      if (made.address().endsWith(QLatin1String("run.mcap"))) made.bags = bag;
+    };
+  }
+  ~RehearsalBench() { window.reset(); }  // before the bag that it reads
   /// The hall has a new rack.
   void openHall() {
     Site now = Site::rooms();
@@ -44,6 +63,8 @@ struct RehearsalBench : test::ReferenceBench {
     return file.fileName();
   }
   QString meets(int row) { return way_dock().table()->model()->index(row, 0).data().toString(); }
+  OneBag one;
+  OneBag* bag = nullptr;  // null: the file is no recording
   void waitForWay() { QTRY_VERIFY_WITH_TIMEOUT(!rehearsal().shown().empty(), 60'000); }
 };
 
@@ -101,6 +122,26 @@ class TestWindowRehearsal : public QObject {
     QTest::mouseClick(bench.way_dock().removeButton(), Qt::LeftButton);
     QVERIFY(bench.rehearsal().shown().empty());
     QVERIFY(!bench.way_dock().againButton()->isEnabled());
+  }
+
+  void aRecordingIsReadToItsEnd() {
+    RehearsalBench bench;
+    bench.bag = &bench.one;
+    for (int i = 0; i <= 60; ++i)
+      bench.one.add(1'717'405'200 + i * 0.2, map::TrackedPose{{7 + i * 0.1, 6, 0}});
+    bench.openHall();
+    bench.reference()->removeMap();
+    bench.rehearsal().rehearse(bench.folder.filePath(QStringLiteral("run.mcap")));
+    bench.waitForWay();
+    QCOMPARE(bench.meets(0), QStringLiteral("in an obstacle"));
+    QVERIFY2(bench.way_dock().said().startsWith(QLatin1String("run.mcap: 6.0 m. Not free: ")),
+             qPrintable(bench.way_dock().said()));
+    // Another way while one is being read: only the last one counts.
+    bench.rehearsal().rehearse(bench.folder.filePath(QStringLiteral("run.mcap")));
+    QVERIFY(bench.rehearsal().shown().empty());
+    bench.rehearsal().rehearse(bench.wayFile(false));
+    bench.waitForWay();
+    QVERIFY(bench.way_dock().said().startsWith(QLatin1String("way.csv: ")));
   }
 
   void whatIsNoWayIsSaid() {
