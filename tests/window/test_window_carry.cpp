@@ -12,7 +12,7 @@
 #include "test_program.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
-#include "ui/waypoints/carry_dock.h"
+#include "ui/carry/carry_dock.h"
 #include "ui/waypoints/waypoints_controller.h"
 
 namespace test_window_carry {

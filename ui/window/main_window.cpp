@@ -259,10 +259,11 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::alignWanted, reference_, &ReferenceController::alignWithMap);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
-  WaypointCarrying* const carrying = waypoints_->carrying();
-  connect(reference_, &ReferenceController::laidChanged, carrying, &WaypointCarrying::setLaid);
-  connect(carrying, &WaypointCarrying::possibleChanged, reference_->dock(), &ReferenceDock::setWhyNotCarried);
-  connect(reference_->dock(), &ReferenceDock::carryWanted, carrying, &WaypointCarrying::open);
+  Carrying* const waypoints = waypoints_->carrying();
+  ReferenceDock* const reference = reference_->dock();
+  connect(reference_, &ReferenceController::laidChanged, waypoints, &Carrying::setLaid);
+  connect(waypoints, &Carrying::possibleChanged, reference, &ReferenceDock::setWhyNotCarried);
+  connect(reference, &ReferenceDock::carryWanted, waypoints, &Carrying::open);
   connect(maps_->dock(), &MapsDock::submapsWanted, transfer_, &TransferController::openSubmaps);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);

@@ -1,10 +1,9 @@
-// What becomes of the waypoints of an old map, on a thread beside the pool. GUI-thread object; deleting it
-// waits.
+// Looks at two maps on a thread beside the pool. GUI-thread object; deleting it waits.
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
-#include <vector>
 
 #include <QObject>
 
@@ -16,21 +15,20 @@ namespace mapwright::window {
 class CarryRun : public QObject {
   Q_OBJECT
  public:
+  /// What is to be found out, and then, on the GUI thread, what is done with it.
+  using Then = std::function<void()>;
+  using Job = std::function<Then(const carry::Site& site)>;
+
   explicit CarryRun(const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
   ~CarryRun() override;
 
   void start(render::PlacedGrid old_map, render::PlacedGrid new_map, const geometry::Pose2& transform,
-             std::vector<carry::Spot> old_spots, const carry::CarryOptions& options);
+             Job job);
   /// Nothing is heard of it any more.
   void cancel();
-  bool running() const { return running_; }
-
- Q_SIGNALS:
-  void finished(const std::vector<mapwright::carry::Carried>& carried);  // in the order of the spots
 
  private:
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  bool running_ = false;
   work::Tasks share_;  // last member: waits for running work
 };
 

@@ -1,4 +1,4 @@
-#include "ui/waypoints/carry_run.h"
+#include "ui/carry/carry_run.h"
 
 #include <utility>
 
@@ -9,27 +9,20 @@ CarryRun::CarryRun(const std::shared_ptr<work::Workers>& workers, QObject* paren
 
 CarryRun::~CarryRun() { cancel(); }
 
-void CarryRun::cancel() {
-  cancelled_->store(true);
-  running_ = false;
-}
+void CarryRun::cancel() { cancelled_->store(true); }
 
 void CarryRun::start(render::PlacedGrid old_map, render::PlacedGrid new_map, const geometry::Pose2& transform,
-                     std::vector<carry::Spot> old_spots, const carry::CarryOptions& options) {
+                     Job job) {
   cancel();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  running_ = true;
   share_.startLong([this, cancelled = cancelled_, old_map = std::move(old_map), new_map = std::move(new_map),
-                    transform, old_spots = std::move(old_spots), options] {
+                    transform, job = std::move(job)] {
     const carry::Site site(old_map, new_map, transform);
     if (*cancelled) return;
-    auto carried = site.carried(old_spots, options);
     QMetaObject::invokeMethod(
         this,
-        [this, cancelled, carried = std::move(carried)] {
-          if (*cancelled) return;
-          running_ = false;
-          Q_EMIT finished(carried);
+        [cancelled, then = job(site)] {
+          if (!*cancelled) then();
         },
         Qt::QueuedConnection);
   });

@@ -1,34 +1,46 @@
-// What becomes of the waypoints of an old map, as a list.
+// What becomes of the things of an old map, as a list.
 #pragma once
 
-#include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <QAbstractTableModel>
 #include <QCollator>
 #include <QSortFilterProxyModel>
+#include <QString>
 
 #include "carry/carried.h"
-#include "edit/document.h"
-#include "map/waypoint.h"
 
 namespace mapwright::window {
 
 struct CarryRow {
   enum class State {
     Open,
-    There,    // the new map has one of that name
-    Carried,  // it is in the list of the new map
+    LeftOut,     // by hand
+    There,       // the new map has it
+    OtherThere,  // the new map has one that belongs to it
+    Carried,     // it is a change of the new map
   };
-  map::Waypoint point;  // of the old map
+  QString name;
   carry::Carried carried;
-  edit::Key key = {};  // of what it became on the new map; empty: it was not carried over
+  std::string id;              // of the old map
+  std::vector<int> with = {};  // rows that go together with it or not at all
   State state = State::Open;
 
   bool sound() const { return state == State::Open && carry::sound(carried.verdict); }
   bool toLookAt() const { return state == State::Open && !carry::sound(carried.verdict); }
+  /// It is carried over where that is wanted.
+  bool goes() const { return state == State::Open || state == State::LeftOut; }
+};
+
+/// What differs between the lists of one kind of thing and another.
+struct CarryWords {
+  QString title;           // of the dock
+  QString one;             // the head of the column of names
+  QString named;           // for assistive technology: "What becomes of the waypoints"
+  QString carried, there;  // what these states mean
+  QString looking;         // while nothing is known yet
+  QString hint;            // how to begin
 };
 
 /// "12 sound, 3 to look at (2 in an obstacle, 1 outside)".
@@ -38,13 +50,12 @@ class CarryModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   enum Column { Called, Became, WallsOff, kColumns };
-  using QAbstractTableModel::QAbstractTableModel;
+  CarryModel(const CarryWords& words, QObject* parent);
 
   void setRows(std::vector<CarryRow> rows);
   const std::vector<CarryRow>& rows() const { return rows_; }
-  void setKey(int row, const edit::Key& key) { rows_[std::size_t(row)].key = key; }
-  /// What the new map has by now. Says nothing where nothing is different.
-  void setThere(const edit::Items& items);
+  /// One of each row. Says nothing where nothing is different.
+  void setStates(const std::vector<CarryRow::State>& states);
 
   int rowCount(const QModelIndex& parent = {}) const override {
     return parent.isValid() ? 0 : int(rows_.size());
@@ -54,6 +65,9 @@ class CarryModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  QString meansText(const CarryRow& row) const;
+
+  CarryWords words_;
   std::vector<CarryRow> rows_;
 };
 

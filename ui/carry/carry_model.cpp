@@ -1,6 +1,7 @@
-#include "ui/waypoints/carry_model.h"
+#include "ui/carry/carry_model.h"
 
 #include <array>
+#include <utility>
 
 #include <QLocale>
 
@@ -9,11 +10,12 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/status_text.h"
-#include "ui/waypoints/waypoint_text.h"
 #include "words/fixed.h"
 
 namespace mapwright::window {
 namespace {
+
+constexpr int kMostNamed = 5;  // of those that go together
 
 Mark markOf(const CarryRow& row) {
   if (row.state != CarryRow::State::Open) return Mark::Neutral;
@@ -23,6 +25,9 @@ Mark markOf(const CarryRow& row) {
 
 QString becameText(const CarryRow& row) {
   switch (row.state) {
+    case CarryRow::State::LeftOut:
+    case CarryRow::State::OtherThere:
+      return CarryModel::tr("left out");
     case CarryRow::State::Carried:
       return CarryModel::tr("carried over");
     case CarryRow::State::There:
@@ -33,34 +38,25 @@ QString becameText(const CarryRow& row) {
   return {};
 }
 
-QString becameMeans(const CarryRow& row) {
-  switch (row.state) {
-    case CarryRow::State::Carried:
-      return CarryModel::tr("It is a waypoint of the map on screen now.");
-    case CarryRow::State::There:
-      return CarryModel::tr("The map on screen has a waypoint of this name. It stays as it is there.");
-    case CarryRow::State::Open:
-      return carry::meaningOf(row.carried.verdict);
-  }
-  return {};
-}
-
 /// The worst first, what needs nothing last.
 int rankOf(const CarryRow& row) {
-  if (row.state == CarryRow::State::Carried) return 102;
-  if (row.state == CarryRow::State::There) return 101;
+  if (row.state != CarryRow::State::Open) return 100 + int(row.state);
   return carry::sound(row.carried.verdict) ? 100 - int(row.carried.verdict) : int(row.carried.verdict);
 }
 
 }  // namespace
 
+CarryModel::CarryModel(const CarryWords& words, QObject* parent)
+    : QAbstractTableModel(parent), words_(words) {}
+
 QString carrySumText(const std::vector<CarryRow>& rows) {
   std::array<qint64, carry::kVerdicts> odd{};
-  qint64 sound = 0, to_look_at = 0, there = 0, carried = 0;
+  qint64 sound = 0, to_look_at = 0, there = 0, carried = 0, left_out = 0;
   for (const CarryRow& row : rows) {
     sound += row.sound();
     there += row.state == CarryRow::State::There;
     carried += row.state == CarryRow::State::Carried;
+    left_out += row.state == CarryRow::State::LeftOut || row.state == CarryRow::State::OtherThere;
     if (row.toLookAt()) ++to_look_at, ++odd[std::size_t(row.carried.verdict)];
   }
   QStringList reasons;
@@ -74,6 +70,7 @@ QString carrySumText(const std::vector<CarryRow>& rows) {
     parts << CarryModel::tr("%1 to look at (%2)")
                  .arg(countText(to_look_at), reasons.join(QStringLiteral(", ")));
   if (there > 0) parts << CarryModel::tr("%1 on the new map already").arg(countText(there));
+  if (left_out > 0) parts << CarryModel::tr("%1 left out").arg(countText(left_out));
   if (carried > 0) parts << CarryModel::tr("%1 carried over").arg(countText(carried));
   return parts.join(QStringLiteral(", "));
 }
@@ -85,20 +82,45 @@ void CarryModel::setRows(std::vector<CarryRow> rows) {
   endResetModel();
 }
 
-void CarryModel::setThere(const edit::Items& items) {
-  std::set<std::string> names;
-  for (const auto& [key, point] : items) names.insert(point.name);
-  bool differs = false;
-  for (CarryRow& row : rows_) {
-    const bool carried = !row.key.empty() && items.contains(row.key);
-    const bool there = !row.point.name.empty() && names.contains(row.point.name);
-    const auto state = carried ? CarryRow::State::Carried
-                       : there ? CarryRow::State::There
-                               : CarryRow::State::Open;
-    differs = differs || state != row.state;
-    row.state = state;
+void CarryModel::setStates(const std::vector<CarryRow::State>& states) {
+  int first = -1, last = -1;
+  for (std::size_t i = 0; i < rows_.size() && i < states.size(); ++i) {
+    if (std::exchange(rows_[i].state, states[i]) == states[i]) continue;
+    if (first < 0) first = int(i);
+    last = int(i);
   }
-  if (differs) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  if (first >= 0) Q_EMIT dataChanged(index(first, 0), index(last, kColumns - 1));
+}
+
+QString CarryModel::meansText(const CarryRow& row) const {
+  QString means;
+  switch (row.state) {
+    case CarryRow::State::Carried:
+      means = words_.carried;
+      break;
+    case CarryRow::State::There:
+      means = words_.there;
+      break;
+    case CarryRow::State::OtherThere:
+      means = tr("One that belongs to it is on the map on screen already, and stays as it is there.");
+      break;
+    case CarryRow::State::LeftOut:
+      means = tr("You left it out. As found: %1").arg(carry::meaningOf(row.carried.verdict));
+      break;
+    case CarryRow::State::Open:
+      means = carry::meaningOf(row.carried.verdict);
+      break;
+  }
+  if (row.with.empty()) return means;
+  QStringList names;
+  for (const int other : row.with) {
+    if (names.size() == kMostNamed) {
+      names << QStringLiteral("…");
+      break;
+    }
+    names << rows_[std::size_t(other)].name;
+  }
+  return means + QLatin1Char(' ') + tr("It goes together with %1.").arg(names.join(QStringLiteral(", ")));
 }
 
 QVariant CarryModel::data(const QModelIndex& index, int role) const {
@@ -108,11 +130,11 @@ QVariant CarryModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return int((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role == Qt::ForegroundRole && became) return markTextColor(markOf(row), appColors());
   if (role == Qt::DecorationRole && became) return markPixmap(markOf(row));
-  if (role == Qt::ToolTipRole) return plainToolTip(becameMeans(row));
+  if (role == Qt::ToolTipRole) return plainToolTip(meansText(row));
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case Called:
-      return shortWaypointName(row.point);
+      return row.name;
     case Became:
       return becameText(row);
     case WallsOff:
@@ -131,7 +153,7 @@ QVariant CarryModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case Called:
-      return tr("Waypoint");
+      return words_.one;
     case Became:
       return tr("Became");
     case WallsOff:
@@ -161,7 +183,7 @@ bool CarryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) co
   if (left.column() == CarryModel::Became) return rankOf(a) < rankOf(b);
   if (left.column() == CarryModel::WallsOff)
     return a.carried.local_residual_m.value_or(-1) < b.carried.local_residual_m.value_or(-1);
-  return order_.compare(shortWaypointName(a.point), shortWaypointName(b.point)) < 0;
+  return order_.compare(a.name, b.name) < 0;
 }
 
 }  // namespace mapwright::window
