@@ -1,4 +1,6 @@
 // Waypoints of the reference map on the map on screen: what becomes of each, and those that are carried over.
+#include <ctime>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -7,12 +9,16 @@
 #include <QtTest>
 
 #include "../edit/fake_waypoint_store.h"
+#include "overlays/overlay_shapes.h"
 #include "reference_bench.h"
 #include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/carry/carry_dock.h"
+#include "ui/overlays/overlay_carrying.h"
+#include "ui/overlays/overlays_controller.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
-#include "ui/carry/carry_dock.h"
+#include "ui/waypoints/waypoint_carrying.h"
 #include "ui/waypoints/waypoints_controller.h"
 
 namespace test_window_carry {
@@ -33,6 +39,47 @@ map::Waypoint onOld(const char* name, double x_m, double y_m, double yaw_rad = 0
   return made;
 }
 
+/// Holds the overlays of one map.
+class OneMapOverlays : public robot::OverlayStore {
+ public:
+  robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::OverlayText> reply) override {
+    QTimer::singleShot(0, &timers_, [this, reply] {
+      if (unreadable) return reply(tl::make_unexpected(map::Failure{map::FailureKind::Unreachable}));
+      reply(robot::OverlayText{.text = text, .version = 1, .map_uid = "u", .map_name = "Hall"});
+    });
+    return {};
+  }
+  robot::Call write(const map::MapKey&, const std::string&, robot::OutcomeTo<std::monostate>) override {
+    ++writes;
+    return {};
+  }
+  /// Points and lines by where they are on the map on screen, as with onOld().
+  static std::string old() {
+    const auto at = [](double x_m, double y_m) {
+      return "[" + std::to_string(12 - y_m) + "," + std::to_string(x_m) + "]";
+    };
+    const auto point = [&](const char* id, const char* name, int type, double x_m, double y_m,
+                           const std::string& more = {}) {
+      return std::string(R"({"type":"Feature","id":")") + id +
+             R"(","geometry":{"type":"Point","coordinates":)" + at(x_m, y_m) + R"(},"properties":{"type":")" +
+             std::to_string(type) + R"(","name":")" + name + "\"" + more + "}}";
+    };
+    return R"({"type":"FeatureCollection","features":[)" +
+           point("c1", "Charger", 9, 8, 2, R"(,"dockingPointId":"d1")") + "," +
+           point("d1", "Docking", 10, 7.4, 2) + "," + point("p1", "Yard", 25, 30, 30) + "," +
+           point("k1", "Known", 25, 3, 7) +
+           R"(,{"type":"Feature","id":"w1","geometry":{"type":"LineString","coordinates":[)" + at(2, 6) +
+           "," + at(4, 6) + R"(]},"properties":{"lineType":"2","name":"W17"}}]})";
+  }
+
+  std::string text = R"({"type":"FeatureCollection","features":[]})";
+  bool unreadable = false;
+  int writes = 0;
+
+ private:
+  QObject timers_;
+};
+
 struct CarryBench : test::ReferenceBench {
   CarryBench() {
     old_store.points = {onOld("Rack 10", 8, 2), onOld("Rack 9", 3, 7, 0.5), onOld("Hall", 10.5, 6),
@@ -40,7 +87,15 @@ struct CarryBench : test::ReferenceBench {
     new_store.points = {test::waypoint("there", 14, 6, "Dock")};
     edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
     edit.later = [](std::chrono::milliseconds, const std::function<void()>&) {};
-    also = [this](FakeRobot& made) { made.waypoint_store = made.address() == kFile ? old : &new_store; };
+    old_overlays.text = OneMapOverlays::old();
+    new_overlays.text =
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"k1","geometry":{"type":"Point",)"
+        R"("coordinates":[3,8]},"properties":{"type":"25","name":"Known"}}]})";
+    also = [this](FakeRobot& made) {
+      const bool of_old = made.address() == kFile;
+      made.waypoint_store = of_old ? old : &new_store;
+      made.overlay_store = of_old ? &old_overlays : &new_overlays;
+    };
   }
   ~CarryBench() { window.reset(); }  // before what its robots keep
 
@@ -58,8 +113,37 @@ struct CarryBench : test::ReferenceBench {
     QTRY_COMPARE_WITH_TIMEOUT(carry().model()->rowCount(), int(old_store.points.size()), 60'000);
     QVERIFY(carry().table()->isVisible());
   }
+  void openOverlays() {
+    openOn(Site::rooms(), Site::rooms().turned());
+    align();
+    QTRY_VERIFY(reference_dock().carryOverlaysButton()->isEnabled());
+    QTest::mouseClick(reference_dock().carryOverlaysButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(overlays().dock()->model()->rowCount(), 5, 60'000);
+  }
+  OverlayCarrying& overlays() { return *part<OverlaysController>(*window)->carrying(); }
+  edit::OverlayEditing& overlayEditing() { return *part<OverlaysController>(*window)->editing(); }
+  /// Texts of a column of that list, as shown.
+  QString overlayColumn(int column) {
+    QStringList texts;
+    const QAbstractItemModel& shown = *overlays().dock()->table()->model();
+    for (int row = 0; row < shown.rowCount(); ++row) texts << shown.index(row, column).data().toString();
+    return texts.join(QLatin1Char('|'));
+  }
+  void clickOverlay(int row) {
+    QTableView* const table = overlays().dock()->table();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualRect(table->model()->index(row, CarryModel::Called)).center());
+  }
+  /// By its id, in the overlays that are edited; none without it.
+  std::optional<Eigen::Vector2d> overlayAt(const std::string& id) {
+    const overlays::OverlayDocument mine = overlayEditing().document().mine();
+    for (const overlays::Feature& feature : mine.features()) {
+      if (feature.id() == id) return overlays::shapesOf(feature).somewhere();
+    }
+    return std::nullopt;
+  }
   ReferenceDock& reference_dock() { return *part<ReferenceDock>(*window); }
-  CarryDock& carry() { return *part<CarryDock>(*window); }
+  CarryDock& carry() { return *part<WaypointsController>(*window)->carrying()->dock(); }
   WaypointEditing& editing() { return *part<WaypointsController>(*window)->editing(); }
   const map::Waypoint* called(const std::string& name) {
     for (const auto& [key, point] : editing().document()->items()) {
@@ -80,9 +164,38 @@ struct CarryBench : test::ReferenceBench {
     QTest::mouseClick(carry().table()->viewport(), Qt::LeftButton, modifiers, middleOf(row));
   }
 
+  OneMapOverlays old_overlays, new_overlays;
   FakeWaypointStore old_store{FakeWaypointStore::Mode::AllAtOnce};
   FakeWaypointStore new_store{FakeWaypointStore::Mode::AllAtOnce};
   robot::WaypointStore* old = &old_store;  // null: the old map has no waypoints
+};
+
+/// The most time that the GUI thread works without looking at its events. Not what it waits for the
+/// processor, of which a busy machine has little.
+class Stalls {
+ public:
+  Stalls() {
+    QObject::connect(&beat_, &QTimer::timeout, &beat_, [this] { tick(); });
+    beat_.start(0);
+    last_ms_ = now_ms();
+  }
+  double worst_ms() {
+    tick();
+    return std::exchange(worst_ms_, 0);
+  }
+
+ private:
+  static double now_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) / 1e6;
+  }
+  void tick() {
+    const double now = now_ms();
+    worst_ms_ = std::max(worst_ms_, now - std::exchange(last_ms_, now));
+  }
+  QTimer beat_;
+  double last_ms_ = 0, worst_ms_ = 0;
 };
 
 bool liesAt(const map::Waypoint* point, double x_m, double y_m) {
@@ -234,6 +347,201 @@ class TestWindowCarry : public QObject {
     QTRY_COMPARE(bench.carry().said(), QStringLiteral("The reference map has no waypoints."));
     bench.reference_dock().removeButton()->click();
     QVERIFY(!bench.reference_dock().carryButton()->isEnabled());
+  }
+
+  void overlaysHaveVerdictsToo() {
+    CarryBench bench;
+    bench.openOverlays();
+    QCOMPARE(bench.overlayColumn(CarryModel::Called),
+             QStringLiteral("Charger|Standby point Docking|Waypoint Yard|Waypoint Known|Virtual wall W17"));
+    QCOMPARE(bench.overlayColumn(CarryModel::Became),
+             QStringLiteral("kept|kept|outside|on the new map already|kept"));
+    QCOMPARE(bench.overlays().dock()->said(),
+             QStringLiteral("3 sound, 1 to look at (1 outside), 1 on the new map already"));
+    // A click shows what would become of it.
+    bench.clickOverlay(4);
+    QCOMPARE(bench.overlays().marks().shown().size(), std::size_t(1));
+    QVERIFY((bench.overlays().marks().shown()[0].points[0] - Eigen::Vector2d(2, 6)).norm() < 0.05);
+    QVERIFY((*bench.window->mapScene()->marker() - Eigen::Vector2d(3, 6)).norm() < 0.05);
+  }
+
+  void soundOverlaysBecomeUnsavedChanges() {
+    CarryBench bench;
+    bench.openOverlays();
+    QTest::mouseClick(bench.overlays().dock()->soundButton(), Qt::LeftButton);
+    QCOMPARE(bench.overlayEditing().document().mine().features().size(), std::size_t(4));
+    QVERIFY((bench.overlayAt("c1").value() - Eigen::Vector2d(8, 2)).norm() < 0.05);
+    QVERIFY(bench.overlayAt("w1") && !bench.overlayAt("p1"));
+    QVERIFY((bench.overlayAt("k1").value() - Eigen::Vector2d(3, 8)).norm() < 1e-9);
+    QVERIFY(bench.overlayEditing().document().unsaved());
+    QCOMPARE(bench.new_overlays.writes, 0);
+    QVERIFY(part<MapOverlay>(*bench.window)
+                ->toasts()
+                ->texts()
+                .contains(QStringLiteral("3 features carried over. Nothing has been sent or saved yet.")));
+    QCOMPARE(bench.overlayColumn(CarryModel::Became),
+             QStringLiteral("carried over|carried over|outside|on the new map already|carried over"));
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(bench.overlayEditing().document().mine().features().size(), std::size_t(1));
+    QCOMPARE(bench.overlayColumn(CarryModel::Became),
+             QStringLiteral("kept|kept|outside|on the new map already|kept"));
+  }
+
+  void overlaysThatReferToEachOtherGoTogether() {
+    CarryBench bench;
+    bench.openOverlays();
+    bench.clickOverlay(1);
+    QTest::mouseClick(bench.overlays().dock()->selectedButton(), Qt::LeftButton);
+    QCOMPARE(bench.overlayColumn(CarryModel::Became),
+             QStringLiteral("carried over|carried over|outside|on the new map already|kept"));
+    QVERIFY(bench.overlayAt("c1") && bench.overlayAt("d1") && !bench.overlayAt("w1"));
+  }
+
+  void whatBelongsToAnOverlayThatIsThereIsLeftOut() {
+    CarryBench bench;
+    bench.new_overlays.text =
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"d1","geometry":{"type":"Point",)"
+        R"("coordinates":[7,2]},"properties":{"type":"10","name":"Docking"}}]})";
+    bench.openOverlays();
+    QCOMPARE(bench.overlayColumn(CarryModel::Became),
+             QStringLiteral("left out|on the new map already|outside|kept|kept"));
+    bench.clickOverlay(0);
+    QVERIFY(!bench.overlays().dock()->selectedButton()->isEnabled());
+    QTest::mouseClick(bench.overlays().dock()->soundButton(), Qt::LeftButton);
+    QVERIFY(!bench.overlayAt("c1") && bench.overlayAt("w1"));
+  }
+
+  void overlaysThatCannotBeReadAreSaid() {
+    CarryBench bench;
+    bench.old_overlays.unreadable = true;
+    bench.openOn(Site::rooms(), Site::rooms());
+    QTRY_VERIFY(bench.reference_dock().carryOverlaysButton()->isEnabled());
+    QTest::mouseClick(bench.reference_dock().carryOverlaysButton(), Qt::LeftButton);
+    QTRY_VERIFY(bench.overlays().dock()->said().startsWith(
+        QLatin1String("The overlays of the reference map cannot be read.")));
+    bench.old_overlays.unreadable = false;
+    bench.old_overlays.text = "{]";
+    QTest::mouseClick(bench.overlays().dock()->againButton(), Qt::LeftButton);
+    QTRY_VERIFY(bench.overlays().dock()->said().startsWith(
+                    QLatin1String("The overlays of the reference map cannot be read.")) &&
+                !bench.overlays().dock()->said().contains(QLatin1String("reached")));
+  }
+
+  void overlaysOfTheMapOnScreenMustBeReadable() {
+    CarryBench bench;
+    bench.new_overlays.unreadable = true;
+    bench.openOn(Site::rooms(), Site::rooms());
+    QPushButton* const button = bench.reference_dock().carryOverlaysButton();
+    if (button->isEnabled()) {  // nobody has wanted to read them
+      QTest::mouseClick(button, Qt::LeftButton);
+      QTRY_VERIFY(
+          bench.overlays().dock()->said().startsWith(QLatin1String("The overlays could not be read.")));
+    }
+    QVERIFY(!button->isEnabled());
+    QVERIFY(button->toolTip().startsWith(QLatin1String("The overlays could not be read.")));
+    QVERIFY(!bench.overlays().dock()->soundButton()->isEnabled());
+  }
+
+  void theListIsWorkedOffByKeys() {
+    CarryBench bench;
+    bench.openList();
+    QTableView* const table = bench.carry().table();
+    table->setFocus();
+    const auto current = [&] { return table->currentIndex().data().toString(); };
+    QTest::keyClick(table, Qt::Key_N);
+    QCOMPARE(current(), QStringLiteral("Rack 10"));
+    QVERIFY((*bench.window->mapScene()->marker() - Eigen::Vector2d(8, 2)).norm() < 0.05);
+    QTest::keyClick(table, Qt::Key_A);
+    QCOMPARE(bench.column(CarryModel::Became)[0], QStringLiteral("carried over"));
+    QCOMPARE(current(), QStringLiteral("Rack 9"));
+    QTest::keyClick(table, Qt::Key_X);
+    QCOMPARE(bench.column(CarryModel::Became)[1], QStringLiteral("left out"));
+    QCOMPARE(current(), QStringLiteral("Hall"));
+    QCOMPARE(bench.carry().said(), QStringLiteral("0 sound, 2 to look at (1 in an obstacle, 1 outside), 1 on "
+                                                  "the new map already, 1 left out, 1 carried over"));
+    QTest::keyClick(table, Qt::Key_N);
+    QCOMPARE(current(), QStringLiteral("Yard"));
+    QTest::keyClick(table, Qt::Key_N);  // Dock is decided
+    QCOMPARE(current(), QStringLiteral("Yard"));
+    QTest::keyClick(table, Qt::Key_P);
+    QTest::keyClick(table, Qt::Key_P);  // so are those above
+    QCOMPARE(current(), QStringLiteral("Hall"));
+    // It stays left out when they are looked at again, and comes back with the same key.
+    bench.carry().adjustBox()->click();
+    bench.waitForList();
+    QCOMPARE(bench.column(CarryModel::Became)[1], QStringLiteral("left out"));
+    bench.click(1);
+    QTest::keyClick(table, Qt::Key_X);
+    QVERIFY(bench.column(CarryModel::Became)[1] != QStringLiteral("left out"));
+  }
+
+  void keysGoOnWhereDecidedRowsAreHiddenOrMoved() {
+    CarryBench bench;
+    bench.openList();
+    QTableView* const table = bench.carry().table();
+    table->setFocus();
+    table->sortByColumn(CarryModel::Became, Qt::AscendingOrder);
+    QTest::keyClick(table, Qt::Key_N);
+    QCOMPARE(table->currentIndex().data().toString(), QStringLiteral("Hall"));
+    QTest::keyClick(table, Qt::Key_X);
+    QCOMPARE(table->currentIndex().data().toString(), QStringLiteral("Yard"));
+    bench.carry().filterBox()->setCurrentIndex(1);
+    table->setCurrentIndex({});
+    QTest::keyClick(table, Qt::Key_N);
+    const QString first = table->currentIndex().data().toString();
+    QTest::keyClick(table, Qt::Key_A);
+    QCOMPARE(bench.column(CarryModel::Called).size(), 1);
+    QVERIFY(table->currentIndex().data().toString() != first);
+    QCOMPARE(bench.editing().document()->items().size(), std::size_t(2));
+  }
+
+  void thousandsOpenAndScrollWithoutAStall() {
+    constexpr double kStall_ms = 50;
+    CarryBench bench;
+    bench.old_store.points.clear();
+    for (int i = 0; i < 5'000; ++i) {
+      bench.old_store.points.push_back(
+          onOld(("Rack " + std::to_string(i)).c_str(), 0.5 + i % 100 * 0.15, 0.5 + double(i / 100) * 0.2));
+    }
+    bench.openOn(Site::rooms(), Site::rooms().turned());
+    bench.align();
+    QTRY_VERIFY(bench.reference_dock().carryButton()->isEnabled());
+    Stalls stalls;
+    const auto within = [&](const char* what) {
+      const double worst = stalls.worst_ms();
+      qInfo("%s: %.0f ms", what, worst);
+      return worst < kStall_ms;
+    };
+    QTest::mouseClick(bench.reference_dock().carryButton(), Qt::LeftButton);
+    bench.waitForList();
+    QTest::qWait(100);  // for the widths of columns
+    QVERIFY(within("opening"));
+    QTableView* const table = bench.carry().table();
+    table->setFocus();
+    for (int i = 0; i < 20; ++i) {
+      QTest::keyClick(table, Qt::Key_PageDown);
+      QCoreApplication::processEvents();
+    }
+    QVERIFY(within("scrolling"));
+    QTest::keyClick(table, Qt::Key_N);
+    QCoreApplication::processEvents();
+    QVERIFY(within("the next one"));
+    QTest::keyClick(table, Qt::Key_A);
+    QCoreApplication::processEvents();
+    QVERIFY(within("carrying one over"));
+    table->sortByColumn(CarryModel::Called, Qt::AscendingOrder);
+    QCoreApplication::processEvents();
+    QVERIFY(within("sorting"));
+    bench.carry().filterBox()->setCurrentIndex(2);
+    QCoreApplication::processEvents();
+    QVERIFY(within("filtering"));
+    bench.carry().filterBox()->setCurrentIndex(0);
+    table->selectAll();
+    QCoreApplication::processEvents();
+    QVERIFY(within("selecting all"));
+    QTest::mouseClick(bench.carry().soundButton(), Qt::LeftButton);
+    QCoreApplication::processEvents();
+    (void)within("carrying all over");
   }
 
   void whatCannotBeReadIsSaid() {

@@ -57,6 +57,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             tr("Lay the reference map there to look at it"))),
       differences_(new QCheckBox(tr("Differences"), this)),
       carry_(compactButton(tr("Carry over waypoints…"), this)),
+      carry_overlays_(compactButton(tr("Carry over overlays…"), this)),
       model_(new QStandardItemModel(0, 3, this)),
       table_(new QuietTableView(this)) {
   setObjectName(QStringLiteral("reference"));
@@ -89,6 +90,8 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   candidates_->setLayout(candidates);
   auto* const tools = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {move_, pair_, align_}) tools->add(button);
+  auto* const carries = new WrappingRow(QMargins(), 8);
+  for (QPushButton* const button : {carry_, carry_overlays_}) carries->add(button);
   auto* const body = new QWidget(this);
   auto* const form = new QFormLayout;
   form->addRow(tr("&x"), x_);
@@ -103,7 +106,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             figures_,
                             agreement_,
                             differences_,
-                            rowOf({carry_, LayoutItem::rest()}),
+                            carries,
                             form,
                             {table_, 1},
                             told_,
@@ -120,6 +123,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
   connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
   connect(carry_, &QPushButton::clicked, this, &ReferenceDock::carryWanted);
+  connect(carry_overlays_, &QPushButton::clicked, this, &ReferenceDock::carryOverlaysWanted);
   connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
   connect(fit_, &QPushButton::clicked, this, &ReferenceDock::fitWanted);
   connect(clear_, &QPushButton::clicked, this, &ReferenceDock::pairsUnwanted);
@@ -130,6 +134,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   setAlignment({});
   setWhyNoDifferences(tr("There is no reference map."));
   setWhyNotCarried(tr("There is no reference map."));
+  setWhyOverlaysNotCarried(tr("There is no reference map."));
 }
 
 void ReferenceDock::makeAgreement() {
@@ -242,6 +247,13 @@ void ReferenceDock::setWhyNotCarried(const QString& why) {
   carry_->setEnabled(why.isEmpty());
   carry_->setToolTip(
       why.isEmpty() ? tr("Find out what becomes of the waypoints of the reference map on the map on screen")
+                    : why);
+}
+
+void ReferenceDock::setWhyOverlaysNotCarried(const QString& why) {
+  carry_overlays_->setEnabled(why.isEmpty());
+  carry_overlays_->setToolTip(
+      why.isEmpty() ? tr("Find out what becomes of the overlays of the reference map on the map on screen")
                     : why);
 }
 

@@ -48,8 +48,9 @@ class ReferenceDock : public QDockWidget {
   void setProgress(double done);
   /// Empty: differences can be shown.
   void setWhyNoDifferences(const QString& why);
-  /// Empty: its waypoints can be carried over.
+  /// Empty: its waypoints, or overlays, can be carried over.
   void setWhyNotCarried(const QString& why);
+  void setWhyOverlaysNotCarried(const QString& why);
 
   QPushButton* removeButton() const { return remove_; }
   QPushButton* moveButton() const { return move_; }
@@ -60,6 +61,7 @@ class ReferenceDock : public QDockWidget {
   QPushButton* secondButton() const { return second_; }
   QCheckBox* differencesBox() const { return differences_; }
   QPushButton* carryButton() const { return carry_; }
+  QPushButton* carryOverlaysButton() const { return carry_overlays_; }
   QTableView* table() const { return table_; }
   QDoubleSpinBox* xBox() const { return x_; }
   QDoubleSpinBox* yBox() const { return y_; }
@@ -83,6 +85,7 @@ class ReferenceDock : public QDockWidget {
   void candidateWanted(bool second);
   void differencesWanted(bool shown);
   void carryWanted();
+  void carryOverlaysWanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -103,7 +106,7 @@ class ReferenceDock : public QDockWidget {
   QWidget* candidates_;
   QPushButton *best_, *second_;
   QCheckBox* differences_;
-  QPushButton* carry_;
+  QPushButton *carry_, *carry_overlays_;
   QDoubleSpinBox *x_, *y_, *yaw_;
   QStandardItemModel* model_;
   QTableView* table_;

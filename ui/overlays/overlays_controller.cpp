@@ -19,6 +19,7 @@
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
 #include "ui/overlays/overlay_actions.h"
+#include "ui/overlays/overlay_carrying.h"
 #include "ui/overlays/overlay_history_dock.h"
 #include "ui/overlays/overlay_review.h"
 #include "ui/overlays/overlay_text.h"
@@ -47,6 +48,11 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
       tool_(new OverlayTool(&editing_, &context.scene, on_map_, snapping_, this)),
       dock_(new OverlaysDock(&editing_, tool_, &context.window)),
       actions_(new OverlayActions(context, &editing_, tool_, snapping_, dock_, this)),
+      carrying_(new OverlayCarrying(
+          context, &editing_,
+          {[this] { return overlays_ && overlays_->reading() ? QString() : unavailableReason(); },
+           [this] { return checkOptions().radius_m; }, [this] { read(); }},
+          this)),
       history_(history, context.workers),
       marks_(&context.scene),
       way_(&context.scene),
@@ -61,6 +67,8 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
   addHistory();
+  connect(carrying_, &OverlayCarrying::carried, this,
+          [this] { context_.undo.setActiveStack(&editing_.undoStack()); });
   connect(&editing_, &edit::OverlayEditing::changed, this, &OverlaysController::onChange);
   connect(tool_, &OverlayTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Overlays, true);
@@ -117,6 +125,7 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
 OverlaysController::~OverlaysController() {
   setSession(nullptr);
   delete dock_;  // they refer to members of this object
+  delete carrying_;
   delete history_dock_;
 }
 
@@ -541,6 +550,7 @@ void OverlaysController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   updateUnsaved();
   history_dock_->openChanged();
+  carrying_->update();
 }
 
 EditorController::DraftWords OverlaysController::draftWords() const {

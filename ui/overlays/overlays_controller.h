@@ -24,6 +24,7 @@
 namespace mapwright::window {
 
 class OverlayActions;
+class OverlayCarrying;
 class OverlayHistoryDock;
 class OverlayReview;
 class OverlaySnapping;
@@ -51,6 +52,7 @@ class OverlaysController : public EditorController {
   OverlaySnapping* snapping() const { return snapping_; }
   OverlayActions* actions() const { return actions_; }
   OverlayHistoryDock* historyDock() const { return history_dock_; }
+  OverlayCarrying* carrying() const { return carrying_; }
   const OverlayMarks& marks() const { return marks_; }
   /// The way to the flaw that is selected.
   const OverlayMarks& way() const { return way_; }
@@ -128,6 +130,7 @@ class OverlaysController : public EditorController {
   OverlayTool* tool_;
   OverlaysDock* dock_;
   OverlayActions* actions_;
+  OverlayCarrying* carrying_;
   OverlayHistory history_;
   OverlayMarks marks_, way_, states_;
   OverlayHistoryDock* history_dock_;

@@ -31,6 +31,7 @@
 #include "ui/maps/reference_dock.h"
 #include "ui/maps/transfer_controller.h"
 #include "ui/objects/objects_controller.h"
+#include "ui/overlays/overlay_carrying.h"
 #include "ui/overlays/overlays_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/plots/messages_controller.h"
@@ -260,10 +261,14 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::alignWanted, reference_, &ReferenceController::alignWithMap);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   Carrying* const waypoints = waypoints_->carrying();
+  Carrying* const overlays = overlays_->carrying();
   ReferenceDock* const reference = reference_->dock();
   connect(reference_, &ReferenceController::laidChanged, waypoints, &Carrying::setLaid);
+  connect(reference_, &ReferenceController::laidChanged, overlays, &Carrying::setLaid);
   connect(waypoints, &Carrying::possibleChanged, reference, &ReferenceDock::setWhyNotCarried);
+  connect(overlays, &Carrying::possibleChanged, reference, &ReferenceDock::setWhyOverlaysNotCarried);
   connect(reference, &ReferenceDock::carryWanted, waypoints, &Carrying::open);
+  connect(reference, &ReferenceDock::carryOverlaysWanted, overlays, &Carrying::open);
   connect(maps_->dock(), &MapsDock::submapsWanted, transfer_, &TransferController::openSubmaps);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
