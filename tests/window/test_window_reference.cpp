@@ -481,6 +481,36 @@ class TestWindowReference : public QObject {
     QTRY_VERIFY(!isRed(colorAt(at_m.x(), at_m.y())));
   }
 
+  void aMapThatIsFetchedIsNotAlignedOnceItIsCancelled() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::halves());
+    Q_EMIT part<MapsController>(*bench.window)->alignWanted({map::MapKind::Stored, "2"});
+    QCOMPARE(bench.dock()->alignmentSaid(), QStringLiteral("Fetching the map…"));
+    QVERIFY(bench.dock()->cancelButton()->isVisible());
+    QTest::mouseClick(bench.dock()->cancelButton(), Qt::LeftButton);
+    QVERIFY(!bench.dock()->cancelButton()->isVisible());
+    QCOMPARE(bench.dock()->alignmentSaid(), QString());
+    // Its answer comes nevertheless, and what was laid before stays.
+    QCOMPARE(bench.robot->maps.opened.back(), (map::MapKey{map::MapKind::Stored, "2"}));
+    QCoreApplication::processEvents();
+    QCoreApplication::processEvents();
+    QCOMPARE(bench.dock()->alignmentSaid(), QString());
+    bench.robot->maps.pictures["2"] = Site::rooms().turned().map({map::MapKind::Stored, "2"});
+    Q_EMIT part<MapsController>(*bench.window)->alignWanted({map::MapKind::Stored, "2"});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")), 60'000);
+  }
+
+  void aMapThatCannotBeFetchedToBeAlignedIsSaid() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms());
+    bench.robot->maps.map_error = "The robot is asleep.";
+    Q_EMIT part<MapsController>(*bench.window)->alignWanted({map::MapKind::Stored, "2"});
+    QTRY_VERIFY(bench.dock()->alignmentSaid().startsWith(
+        QLatin1String("The map to align with could not be fetched.")));
+    QVERIFY(!bench.dock()->cancelButton()->isVisible());
+    QVERIFY(bench.dock()->alignButton()->isEnabled());
+  }
+
   void keysMoveAndTurnIt() {
     ReferenceBench bench;
     bench.openOnRobot();

@@ -1,6 +1,7 @@
 #include "ui/maps/reference_controller.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QCheckBox>
 #include <QCryptographicHash>
@@ -262,17 +263,24 @@ void ReferenceController::lay(const QString& address, bool align) {
   // What is laid stays until another map is there.
   auto source = sourceOf(address);
   if (!source) return context_.overlay.toasts()->add(Mark::Bad, source.error());
+  stopFetching();
   coming_ = std::move(source->reader);
   if (coming_) coming_->connectToRobot();
   if (align) {
     forgetAlignment();
-    say(tr("Fetching the map…"));
+    fetching_ = true;
+    dock_->setProgress(0);
+    showAlignment();
   }
-  source->maps->fetch(
+  coming_call_ = source->maps->fetch(
       source->key, [this, address, align, number = ++coming_number_](robot::Outcome<map::WholeMap> answer) {
         if (number != coming_number_) return;
-        if (align) say({});
-        if (!answer) return showFailure(answer.error());
+        fetching_ = false;
+        if (!answer) {
+          if (!align) return showFailure(answer.error());
+          return say(tr("The map to align with could not be fetched. %1")
+                         .arg(QString::fromStdString(sentences::failureReason(answer.error()))));
+        }
         onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
         address_ = address;
         reader_ = std::move(coming_);
@@ -281,6 +289,17 @@ void ReferenceController::lay(const QString& address, bool align) {
         remember();
         if (align) this->align();
       });
+  coming_call_.onProgress([this, number = coming_number_](robot::Progress progress) {
+    if (number == coming_number_ && fetching_ && progress.of_bytes.value_or(0) > 0)
+      dock_->setProgress(double(progress.bytes) / double(*progress.of_bytes));
+  });
+}
+
+void ReferenceController::stopFetching() {
+  if (!std::exchange(fetching_, false)) return;
+  ++coming_number_;
+  coming_call_.cancel();
+  coming_.reset();
 }
 
 void ReferenceController::alignWithMap(const map::MapKey& key) {
@@ -504,9 +523,11 @@ void ReferenceController::say(const QString& sentence) {
 
 void ReferenceController::showAlignment() {
   AlignmentShown shown;
-  shown.running = run_.running() || align_next_;
+  shown.running = run_.running() || align_next_ || fetching_;
   shown.said = said_;
-  if (run_.running()) {
+  if (fetching_) {
+    shown.said = tr("Fetching the map…");
+  } else if (run_.running()) {
     shown.said = tr("Looking for the place by the walls…");
   } else if (align_next_) {
     shown.said = tr("Waiting until both maps are read…");
@@ -542,6 +563,7 @@ void ReferenceController::showAlignment() {
 }
 
 void ReferenceController::forgetAlignment() {
+  stopFetching();
   run_.cancel();
   align_next_ = false;
   aligned_.reset();

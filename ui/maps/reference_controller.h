@@ -15,6 +15,7 @@
 #include "align/align.h"
 #include "placing/align.h"
 #include "render/sample_grid.h"
+#include "robot/call.h"
 #include "robot/robot.h"
 #include "session/map_slot.h"
 #include "session/session.h"
@@ -101,6 +102,8 @@ class ReferenceController : public Controller {
   void checkAlignment();
   void showAlignment();
   void forgetAlignment();
+  /// The map that was to be aligned is not wanted any more.
+  void stopFetching();
   void syncDifferences();
   /// One step that can be undone. `drag`: steps with the same number are one; 0 = a step of its own.
   void change(const QString& what, Laid laid, int drag = 0);
@@ -132,7 +135,9 @@ class ReferenceController : public Controller {
   QUndoStack steps_;
   QPointer<QUndoStack> other_steps_;  // what Ctrl+Z was about before
   int drag_ = 0;
-  int coming_number_ = 0;           // answers to earlier requests do not count
+  int coming_number_ = 0;  // answers to earlier requests do not count
+  robot::Call coming_call_;
+  bool fetching_ = false;           // a map, to be aligned
   bool align_next_ = false;         // when both maps are read
   std::optional<Aligned> aligned_;  // what is being aligned, or was
   geometry::Pose2 pose_before_;     // how the map lay then
