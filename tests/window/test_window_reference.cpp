@@ -511,6 +511,62 @@ class TestWindowReference : public QObject {
     QVERIFY(bench.dock()->alignButton()->isEnabled());
   }
 
+  void wallsThatAreFarFromThoseOfTheOtherMapAreMarked() {
+    Site before = Site::rooms(), after = Site::rooms();
+    before.wall(60, 100, 90, 103), after.wall(60, 104, 90, 107);    // by 0.2 m
+    before.wall(250, 90, 280, 93), after.wall(250, 102, 280, 105);  // by 0.6 m
+    after.wall(185, 105, 200, 108);                                 // nothing is near
+    ReferenceBench bench;
+    bench.openOn(after, before);
+    const WallsOffMarks& marks = bench.reference()->wallsOff();
+    QTest::keyClick(bench.dock()->wallsOffBox(), Qt::Key_Space);
+    QTRY_VERIFY(!marks.running() && !marks.shown().empty());
+    QVERIFY(bench.dock()->wallsOffLegend()->isVisible());
+    // The most that is off there, within a metre.
+    const auto most = [&](double x_m, double y_m) {
+      double most_m = 0;
+      for (const align::OffWall& wall : marks.shown()) {
+        if ((wall.at_m - Eigen::Vector2d(x_m, y_m)).norm() < 0.1) most_m = std::max(most_m, wall.off_m);
+      }
+      return most_m;
+    };
+    const auto is = [](double off_m, double wanted_m) { return std::abs(off_m - wanted_m) < 0.06; };
+    QVERIFY(is(most(3.75, 6.98), 0.2) && is(most(3.75, 6.68), 0.2));  // both ways
+    QVERIFY(is(most(13.25, 7.48), 0.6) && is(most(13.25, 6.78), 0.6));
+    QVERIFY(most(9.6, 6.7) > 1);
+    QCOMPARE(most(5.6, 11), 0.0);
+    // They are seen.
+    bench.window->view()->moveTo(
+        [&] {
+          geometry::ViewTransform view = bench.window->mapScene()->view();
+          view.center_m = {9.6, 6.7};
+          view.scale_m_per_px = 0.01;
+          return view;
+        }(),
+        false);
+    const QPoint there = bench.at(9.6, 6.7);
+    QTRY_COMPARE(bench.window->view()->viewport()->grab().toImage().pixelColor(there),
+                 offColor(2, bench.window->mapScene()->theme().dark));
+    QTest::keyClick(bench.dock()->wallsOffBox(), Qt::Key_Space);
+    QVERIFY(marks.shown().empty());
+    QVERIFY(!bench.dock()->wallsOffLegend()->isVisible());
+  }
+
+  void wallsThatAreOffFollowTheReferenceMap() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms());
+    const WallsOffMarks& marks = bench.reference()->wallsOff();
+    QTest::keyClick(bench.dock()->wallsOffBox(), Qt::Key_Space);
+    QTRY_VERIFY(!marks.running());
+    QVERIFY(marks.shown().empty());
+    QVERIFY(!bench.dock()->wallsOffLegend()->isVisible());
+    bench.dock()->xBox()->setValue(0.4);
+    QTRY_VERIFY(!marks.running() && !marks.shown().empty());
+    bench.dock()->removeButton()->click();
+    QVERIFY(marks.shown().empty());
+    QVERIFY(!bench.dock()->wallsOffBox()->isEnabled());
+  }
+
   void keysMoveAndTurnIt() {
     ReferenceBench bench;
     bench.openOnRobot();

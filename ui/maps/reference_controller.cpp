@@ -94,6 +94,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
       dock_(new ReferenceDock(&context.window)),
       tool_(new ReferenceTool(&context.scene, this)),
       slot_({}, {context.workers, nullptr}),
+      walls_off_(&context.scene, context.workers),
       run_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 70, .menu_rank = 36, .open = false});
   context_.actions.add({.id = "referenceMap",
@@ -165,6 +166,8 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(dock_, &ReferenceDock::alignCancelled, this, &ReferenceController::forgetAlignment);
   connect(dock_, &ReferenceDock::candidateWanted, this, &ReferenceController::layCandidate);
   connect(dock_, &ReferenceDock::differencesWanted, this, &ReferenceController::syncDifferences);
+  connect(&walls_off_, &WallsOffMarks::found, this,
+          [this] { dock_->setWallsOff(walls_off_.shown().empty()); });
   connect(&run_, &AlignmentRun::progressed, dock_, &ReferenceDock::setProgress);
   connect(&run_, &AlignmentRun::finished, this, &ReferenceController::onAligned);
   connect(&run_, &AlignmentRun::failed, this, [this](const Fault& fault) {
@@ -578,6 +581,15 @@ void ReferenceController::syncDifferences() {
                              : !whole ? tr("There is no whole map on screen.")
                                       : QString());
   context_.scene.setReferenceDifferences(there && whole && dock_->differencesBox()->isChecked());
+  const bool both = isRead() && whole && session->wholeMap().settled();
+  std::optional<WallsOffMarks::Subject> marked;
+  if (both && dock_->wallsOffBox()->isChecked()) {
+    marked = {{slot_.cells(), slot_.reference()},
+              {session->wholeMap().cells(), session->wholeMap().reference()},
+              laid_.pose};
+  }
+  walls_off_.show(marked);
+  if (!marked || walls_off_.running()) dock_->setWallsOff(std::nullopt);
 }
 
 /// Of another map, or of one that is gone.

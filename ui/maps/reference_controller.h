@@ -22,6 +22,7 @@
 #include "ui/kit/controller.h"
 #include "ui/maps/alignment_run.h"
 #include "ui/maps/map_files.h"
+#include "ui/maps/walls_off_marks.h"
 #include "ui/shell/laid_map.h"
 #include "ui/shell/window_context.h"
 
@@ -52,6 +53,7 @@ class ReferenceController : public Controller {
   const geometry::Pose2& pose() const { return laid_.pose; }
   /// All of the reference map is there.
   bool isRead() const { return slot_.cells() && slot_.settled(); }
+  const WallsOffMarks& wallsOff() const { return walls_off_; }
 
   void setSession(session::Session* session) override;
 
@@ -144,6 +146,7 @@ class ReferenceController : public Controller {
   bool submaps_changed_ = false;    // since then
   std::optional<align::Alignment> found_;
   QString said_;  // instead of a result
+  WallsOffMarks walls_off_;
   AlignmentRun run_;
 };
 

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -25,9 +26,33 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
+#include "ui/maps/walls_off_marks.h"
 #include "words/fixed.h"
 
 namespace mapwright::window {
+namespace {
+
+/// How walls look that are off by a step, and its words.
+class OffStep : public QWidget {
+ public:
+  OffStep(std::size_t step, const QString& words, QWidget* parent) : QWidget(parent), step_(step) {
+    setLayout(rowOf({textLabel(words, this)}, 0, QMargins(kSymbolPx + 4, 0, 0, 0)));
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    // As a piece of a wall.
+    const double thick = kOffMarks_px[step_];
+    QPainter(this).fillRect(QRectF(0, (height() - thick) / 2, kSymbolPx, thick),
+                            offColor(step_, appColors().dark));
+  }
+
+ private:
+  static constexpr int kSymbolPx = 16;
+  std::size_t step_;
+};
+
+}  // namespace
 
 ReferenceDock::ReferenceDock(QWidget* parent)
     : QDockWidget(tr("Reference map"), parent),
@@ -56,6 +81,9 @@ ReferenceDock::ReferenceDock(QWidget* parent)
       second_(compactButton(tr("Show the second best"), candidates_,
                             tr("Lay the reference map there to look at it"))),
       differences_(new QCheckBox(tr("Differences"), this)),
+      walls_off_(new QCheckBox(tr("Walls that are off"), this)),
+      legend_(new QWidget(this)),
+      none_off_(textLabel(tr("No wall is off by more than 10 cm."), this)),
       carry_(compactButton(tr("Carry over waypoints…"), this)),
       carry_overlays_(compactButton(tr("Carry over overlays…"), this)),
       model_(new QStandardItemModel(0, 3, this)),
@@ -90,6 +118,13 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   candidates_->setLayout(candidates);
   auto* const tools = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {move_, pair_, align_}) tools->add(button);
+  auto* const shows = new WrappingRow(QMargins(), 12);
+  for (QCheckBox* const box : {differences_, walls_off_}) shows->add(box);
+  auto* const legend = new WrappingRow(QMargins(), 10);
+  const QString steps[] = {tr("over 10 cm"), tr("over 30 cm"), tr("over 1 m")};
+  for (std::size_t step = 0; step < kOffSteps_m.size(); ++step)
+    legend->add(new OffStep(step, steps[step], legend_));
+  legend_->setLayout(legend);
   auto* const carries = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {carry_, carry_overlays_}) carries->add(button);
   auto* const body = new QWidget(this);
@@ -105,7 +140,9 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             candidates_,
                             figures_,
                             agreement_,
-                            differences_,
+                            shows,
+                            legend_,
+                            none_off_,
                             carries,
                             form,
                             {table_, 1},
@@ -122,6 +159,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(best_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(false); });
   connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
   connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
+  connect(walls_off_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
   connect(carry_, &QPushButton::clicked, this, &ReferenceDock::carryWanted);
   connect(carry_overlays_, &QPushButton::clicked, this, &ReferenceDock::carryOverlaysWanted);
   connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
@@ -133,6 +171,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   setState({}, {});
   setAlignment({});
   setWhyNoDifferences(tr("There is no reference map."));
+  setWallsOff(std::nullopt);
   setWhyNotCarried(tr("There is no reference map."));
   setWhyOverlaysNotCarried(tr("There is no reference map."));
 }
@@ -241,6 +280,16 @@ void ReferenceDock::setWhyNoDifferences(const QString& why) {
       why.isEmpty() ? tr("Show what differs between the reference map and the map on screen: red is not on "
                          "the reference map, blue is only there")
                     : why);
+  walls_off_->setEnabled(why.isEmpty());
+  walls_off_->setToolTip(why.isEmpty()
+                             ? tr("Mark the walls of both maps that are far from those of the other "
+                                  "one: a bent corridor is seen by them")
+                             : why);
+}
+
+void ReferenceDock::setWallsOff(std::optional<bool> none) {
+  legend_->setVisible(none == false);
+  none_off_->setVisible(none == true);
 }
 
 void ReferenceDock::setWhyNotCarried(const QString& why) {

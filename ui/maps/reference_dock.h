@@ -48,6 +48,8 @@ class ReferenceDock : public QDockWidget {
   void setProgress(double done);
   /// Empty: differences can be shown.
   void setWhyNoDifferences(const QString& why);
+  /// nullopt: nothing is known of the walls that are off, or nobody wants to know.
+  void setWallsOff(std::optional<bool> none);
   /// Empty: its waypoints, or overlays, can be carried over.
   void setWhyNotCarried(const QString& why);
   void setWhyOverlaysNotCarried(const QString& why);
@@ -60,6 +62,8 @@ class ReferenceDock : public QDockWidget {
   QPushButton* bestButton() const { return best_; }
   QPushButton* secondButton() const { return second_; }
   QCheckBox* differencesBox() const { return differences_; }
+  QCheckBox* wallsOffBox() const { return walls_off_; }
+  QWidget* wallsOffLegend() const { return legend_; }
   QPushButton* carryButton() const { return carry_; }
   QPushButton* carryOverlaysButton() const { return carry_overlays_; }
   QTableView* table() const { return table_; }
@@ -106,6 +110,9 @@ class ReferenceDock : public QDockWidget {
   QWidget* candidates_;
   QPushButton *best_, *second_;
   QCheckBox* differences_;
+  QCheckBox* walls_off_;
+  QWidget* legend_;  // of its marks
+  QLabel* none_off_;
   QPushButton *carry_, *carry_overlays_;
   QDoubleSpinBox *x_, *y_, *yaw_;
   QStandardItemModel* model_;
