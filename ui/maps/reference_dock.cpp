@@ -17,6 +17,7 @@
 #include <QTableView>
 
 #include "scene/lengths.h"
+#include "scene/map_theme.h"
 #include "sentences/plural.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
@@ -41,10 +42,12 @@ class OffStep : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent*) override {
-    // As a piece of a wall.
+    // As a piece of a wall on free ground.
+    const scene::MapTheme theme = appColors().dark ? scene::darkMapTheme() : scene::lightMapTheme();
     const double thick = kOffMarks_px[step_];
-    QPainter(this).fillRect(QRectF(0, (height() - thick) / 2, kSymbolPx, thick),
-                            offColor(step_, appColors().dark));
+    QPainter painter(this);
+    painter.fillRect(QRectF(0, (height() - kSymbolPx) / 2.0, kSymbolPx, kSymbolPx), QColor(theme.map.free));
+    painter.fillRect(QRectF(0, (height() - thick) / 2, kSymbolPx, thick), offColor(step_));
   }
 
  private:

@@ -20,11 +20,10 @@ std::size_t stepOf(double off_m) {
 
 }  // namespace
 
-QColor offColor(std::size_t step, bool dark) {
-  // Towards what the ground is not: the more it is off, the darker on white, and the lighter on black.
-  constexpr std::array<QRgb, 3> kLight{0xffe09a1f, 0xffd2431c, 0xff7a0f3c};
-  constexpr std::array<QRgb, 3> kDark{0xffb5651d, 0xffff8f4a, 0xffffe2a8};
-  return QColor(dark ? kDark[step] : kLight[step]);
+QColor offColor(std::size_t step) {
+  // The ground is light in the dark theme, too.
+  constexpr std::array<QRgb, 3> kColors{0xffe09a1f, 0xffd2431c, 0xff7a0f3c};
+  return QColor(kColors[step]);
 }
 
 class WallsOffMarks::Item : public QGraphicsItem {
@@ -76,7 +75,7 @@ class WallsOffMarks::Item : public QGraphicsItem {
     }
     painter->setPen(Qt::NoPen);
     for (std::size_t step = 0; step < marks.size(); ++step) {
-      painter->setBrush(offColor(step, scene_->theme().dark));
+      painter->setBrush(offColor(step));
       painter->drawRects(marks[step].data(), int(marks[step].size()));
     }
   }

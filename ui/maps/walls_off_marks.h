@@ -22,7 +22,7 @@ namespace mapwright::window {
 /// How far walls may be off before they are marked otherwise.
 inline constexpr std::array<double, 3> kOffSteps_m{0.1, 0.3, 1};
 /// The look of a step: colours differ in lightness, and marks in size.
-QColor offColor(std::size_t step, bool dark);
+QColor offColor(std::size_t step);
 inline constexpr std::array<double, 3> kOffMarks_px{3, 5, 8};
 
 class WallsOffMarks : public QObject {
