@@ -16,6 +16,7 @@ namespace test_window_reference {
 
 using namespace mapwright;
 using namespace mapwright::window;
+using test::FakeRobot;
 using test::kAddress;
 using test::kFile;
 using test::kTurnedBack;
@@ -564,6 +565,24 @@ class TestWindowReference : public QObject {
     bench.dock()->removeButton()->click();
     QVERIFY(marks.shown().empty());
     QVERIFY(!bench.dock()->wallsOffBox()->isEnabled());
+  }
+
+  void isSwipedOverTheMapOnScreen() {
+    ReferenceBench bench;
+    bench.also = [](FakeRobot& made) { made.maps.pictures[""].overlays.emplace_back(); };
+    bench.openOn(Site::rooms(), Site::rooms().turned());
+    bench.align();
+    QTest::mouseClick(bench.dock()->swipeButton(), Qt::LeftButton);
+    QCOMPARE(bench.window->mapScene()->compareMode(), scene::CompareMode::Swipe);
+    const session::MapSlot& compared = bench.window->session()->comparedMap();
+    QTRY_VERIFY(compared.cells() && compared.settled());
+    QVERIFY(near(compared.reference().origin, bench.reference()->pose(), 1e-9));
+    QVERIFY(compared.shown().overlays.empty());  // they lie where they were on the old map
+    QVERIFY(near(bench.reference()->pose(), kTurnedBack, 0.05));
+    bench.key(Qt::Key_Escape);
+    QCOMPARE(bench.window->mapScene()->compareMode(), scene::CompareMode::Off);
+    bench.dock()->removeButton()->click();
+    QVERIFY(!bench.dock()->swipeButton()->isEnabled());
   }
 
   void keysMoveAndTurnIt() {

@@ -166,6 +166,11 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(dock_, &ReferenceDock::alignCancelled, this, &ReferenceController::forgetAlignment);
   connect(dock_, &ReferenceDock::candidateWanted, this, &ReferenceController::layCandidate);
   connect(dock_, &ReferenceDock::differencesWanted, this, &ReferenceController::syncDifferences);
+  connect(dock_, &ReferenceDock::swipeWanted, this, [this] {
+    map::WholeMap map = read_map_;
+    map.grid.origin = laid_.pose * map.grid.origin;
+    Q_EMIT swipeWanted(map);
+  });
   connect(&walls_off_, &WallsOffMarks::found, this,
           [this] { dock_->setWallsOff(walls_off_.shown().empty()); });
   connect(&run_, &AlignmentRun::progressed, dock_, &ReferenceDock::setProgress);
@@ -288,7 +293,7 @@ void ReferenceController::lay(const QString& address, bool align) {
         address_ = address;
         reader_ = std::move(coming_);
         slot_.clear();
-        slot_.show(std::move(*answer));
+        showRead(std::move(*answer));
         remember();
         if (align) this->align();
       });
@@ -359,6 +364,7 @@ void ReferenceController::load(const QString& address) {
   reader_.reset();
   coming_.reset();
   slot_.clear();
+  read_map_ = {};
   if (address.isEmpty()) {
     useTool(false, false);
     return show();
@@ -375,7 +381,7 @@ void ReferenceController::load(const QString& address) {
   source->maps->fetch(source->key,
                       [this, address, number = coming_number_](robot::Outcome<map::WholeMap> answer) {
                         if (number != coming_number_ || address != address_) return;
-                        if (answer) return slot_.show(std::move(*answer));
+                        if (answer) return showRead(std::move(*answer));
                         showFailure(answer.error());
                         slot_.clear();
                         // It stays remembered: a folder that is away today may be there tomorrow.
@@ -383,6 +389,16 @@ void ReferenceController::load(const QString& address) {
                         show();
                       });
   show();
+}
+
+void ReferenceController::showRead(map::WholeMap map) {
+  read_map_ = map;
+  // Its cells only: what lies on it would have to be moved, too.
+  read_map_.trajectories.clear();
+  read_map_.overlays.clear();
+  read_map_.broken_overlays.clear();
+  read_map_.landmarks.clear();
+  slot_.show(std::move(map));
 }
 
 void ReferenceController::show() {

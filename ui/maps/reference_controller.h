@@ -13,6 +13,7 @@
 #include <tl/expected.hpp>
 
 #include "align/align.h"
+#include "map/catalogue.h"
 #include "placing/align.h"
 #include "render/sample_grid.h"
 #include "robot/call.h"
@@ -60,6 +61,8 @@ class ReferenceController : public Controller {
  Q_SIGNALS:
   /// Which one, or how it lies; nullopt = none, or it is still being read.
   void laidChanged(const std::optional<mapwright::window::LaidMap>& laid);
+  /// Beside the map on screen, as it lies.
+  void swipeWanted(const mapwright::map::WholeMap& map);
 
  private:
   /// How it lies.
@@ -114,6 +117,7 @@ class ReferenceController : public Controller {
   void forgetSteps();
   void useTool(bool on, bool pairing);
   void load(const QString& address);
+  void showRead(map::WholeMap map);
   void show();
   /// The robot and the map that it is on; empty = not known.
   QString currentMap() const;
@@ -131,8 +135,9 @@ class ReferenceController : public Controller {
   QAction* tool_action_;
   std::unique_ptr<robot::Robot> reader_, coming_;
   session::MapSlot slot_;
-  QString address_;      // of the reference map; empty = none
-  QString current_map_;  // for which it is remembered
+  map::WholeMap read_map_;  // what slot_ shows
+  QString address_;         // of the reference map; empty = none
+  QString current_map_;     // for which it is remembered
   Laid laid_;
   QUndoStack steps_;
   QPointer<QUndoStack> other_steps_;  // what Ctrl+Z was about before

@@ -85,6 +85,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             tr("Lay the reference map there to look at it"))),
       differences_(new QCheckBox(tr("Differences"), this)),
       walls_off_(new QCheckBox(tr("Walls that are off"), this)),
+      swipe_(compactButton(tr("Swipe"), this)),
       legend_(new QWidget(this)),
       none_off_(textLabel(tr("No wall is off by more than 10 cm."), this)),
       carry_(compactButton(tr("Carry over waypoints…"), this)),
@@ -122,7 +123,8 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   auto* const tools = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {move_, pair_, align_}) tools->add(button);
   auto* const shows = new WrappingRow(QMargins(), 12);
-  for (QCheckBox* const box : {differences_, walls_off_}) shows->add(box);
+  for (QWidget* const shown : std::initializer_list<QWidget*>{differences_, walls_off_, swipe_})
+    shows->add(shown);
   auto* const legend = new WrappingRow(QMargins(), 10);
   const QString steps[] = {tr("over 10 cm"), tr("over 30 cm"), tr("over 1 m")};
   for (std::size_t step = 0; step < kOffSteps_m.size(); ++step)
@@ -163,6 +165,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
   connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
   connect(walls_off_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
+  connect(swipe_, &QPushButton::clicked, this, &ReferenceDock::swipeWanted);
   connect(carry_, &QPushButton::clicked, this, &ReferenceDock::carryWanted);
   connect(carry_overlays_, &QPushButton::clicked, this, &ReferenceDock::carryOverlaysWanted);
   connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
@@ -283,6 +286,11 @@ void ReferenceDock::setWhyNoDifferences(const QString& why) {
       why.isEmpty() ? tr("Show what differs between the reference map and the map on screen: red is not on "
                          "the reference map, blue is only there")
                     : why);
+  swipe_->setEnabled(why.isEmpty());
+  swipe_->setToolTip(why.isEmpty()
+                         ? tr("Drag a divider between the map on screen and the reference map as it "
+                              "lies now; Esc ends it")
+                         : why);
   walls_off_->setEnabled(why.isEmpty());
   walls_off_->setToolTip(why.isEmpty()
                              ? tr("Mark the walls of both maps that are far from those of the other "

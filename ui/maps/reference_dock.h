@@ -63,6 +63,7 @@ class ReferenceDock : public QDockWidget {
   QPushButton* secondButton() const { return second_; }
   QCheckBox* differencesBox() const { return differences_; }
   QCheckBox* wallsOffBox() const { return walls_off_; }
+  QPushButton* swipeButton() const { return swipe_; }
   QWidget* wallsOffLegend() const { return legend_; }
   QPushButton* carryButton() const { return carry_; }
   QPushButton* carryOverlaysButton() const { return carry_overlays_; }
@@ -88,6 +89,7 @@ class ReferenceDock : public QDockWidget {
   void alignCancelled();
   void candidateWanted(bool second);
   void differencesWanted(bool shown);
+  void swipeWanted();
   void carryWanted();
   void carryOverlaysWanted();
 
@@ -111,6 +113,7 @@ class ReferenceDock : public QDockWidget {
   QPushButton *best_, *second_;
   QCheckBox* differences_;
   QCheckBox* walls_off_;
+  QPushButton* swipe_;
   QWidget* legend_;  // of its marks
   QLabel* none_off_;
   QPushButton *carry_, *carry_overlays_;

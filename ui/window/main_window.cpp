@@ -263,6 +263,7 @@ void MainWindow::connectControllers() {
   Carrying* const waypoints = waypoints_->carrying();
   Carrying* const overlays = overlays_->carrying();
   ReferenceDock* const reference = reference_->dock();
+  connect(reference_, &ReferenceController::swipeWanted, compare_, &CompareController::startWith);
   connect(reference_, &ReferenceController::laidChanged, waypoints, &Carrying::setLaid);
   connect(reference_, &ReferenceController::laidChanged, overlays, &Carrying::setLaid);
   connect(waypoints, &Carrying::possibleChanged, reference, &ReferenceDock::setWhyNotCarried);
