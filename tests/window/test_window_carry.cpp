@@ -318,6 +318,30 @@ class TestWindowCarry : public QObject {
     QVERIFY((bench.carry().model()->rows()[0].carried.spot.position_m - Eigen::Vector2d(9, 2)).norm() < 0.05);
   }
 
+  void aMapThatIsReadAgainHasChangedOnlyIfItsCellsHave() {
+    CarryBench bench;
+    const auto offers = bench.also;
+    bench.also = [&](FakeRobot& made) {
+      offers(made);
+      made.maps.pictures["1"].fingerprint = "as it was";
+    };
+    bench.openList();
+    const session::MapSlot& whole = bench.window->session()->wholeMap();
+    const auto read_again = [&] {
+      const auto before = whole.cells();
+      bench.window->session()->openMap({map::MapKind::Stored, "1"});
+      QTRY_VERIFY(whole.cells() && whole.cells() != before && whole.settled());
+    };
+    const QString said = bench.carry().said();
+    read_again();
+    QCOMPARE(bench.carry().said(), said);
+    QVERIFY(!bench.carry().againButton()->isVisible());
+    bench.robot->maps.pictures["1"].fingerprint = "otherwise";
+    read_again();
+    QVERIFY(bench.carry().said().startsWith(QLatin1String("The map on screen has changed since then.")));
+    QVERIFY(bench.carry().againButton()->isVisible());
+  }
+
   void isAdjustedToTheWallsNearby() {
     CarryBench bench;
     bench.openList();

@@ -71,7 +71,7 @@ std::optional<Carrying::Subject> Carrying::subject() const {
   const session::Session* const session = context_.current.session();
   if (!laid_ || !session || !session->wholeMap().cells()) return std::nullopt;
   const session::MapSlot& whole = session->wholeMap();
-  return Subject{*laid_, {whole.cells(), whole.reference()}, whole.shown().key};
+  return Subject{*laid_, {whole.cells(), whole.reference()}, whole.shown().key, whole.shown().fingerprint};
 }
 
 void Carrying::open() {
@@ -138,7 +138,7 @@ void Carrying::updateStates() {
 
 void Carrying::show() {
   const auto now = subject();
-  const bool any = !rows().empty(), changed = looked_at_ && now && !(now->map == looked_at_->map);
+  const bool any = !rows().empty(), changed = looked_at_ && now && !now->sameCells(*looked_at_);
   CarryShown shown{.said = said_, .editable = editable()};
   if (looked_at_ && !any) shown.said = words_.looking;
   if (any) shown.said = carrySumText(rows());

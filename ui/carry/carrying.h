@@ -45,8 +45,14 @@ class Carrying : public QObject {
     LaidMap laid;
     render::PlacedGrid map;
     map::MapKey key;
+    std::string content;  // of the map: names exactly these cells; empty: not known
     /// It still is, although the map on screen may have changed.
     bool sameAs(const Subject& other) const { return laid == other.laid && key == other.key; }
+    /// A file is read again when anything beside it is saved.
+    bool sameCells(const Subject& other) const {
+      return map == other.map ||
+             (!content.empty() && content == other.content && map.reference == other.map.reference);
+    }
   };
 
   /// `context` must outlive this.
