@@ -13,7 +13,7 @@
 #include "map/map_part.h"
 #include "render/sample_grid.h"
 #include "robot/call.h"
-#include "session/session.h"
+#include "session/session_options.h"
 
 namespace mapwright::app {
 

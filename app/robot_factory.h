@@ -14,7 +14,7 @@
 #include "robot/address.h"
 #include "robot/probe.h"
 #include "robot/robot.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "simulator/simulator.h"
 
 namespace mapwright::app {

@@ -17,7 +17,7 @@
 #include <spng.h>
 
 #include "scene/map_scene.h"
-#include "session/session.h"
+#include "session/session_options.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "robot/axbot/axbot_robot.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "simulator/simulator.h"
 
 namespace {

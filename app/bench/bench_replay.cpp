@@ -25,7 +25,7 @@
 #include "robot/axbot/axbot_robot.h"
 #include "robot/axbot/parse_bags.h"
 #include "robot/bag_library.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "simulator/simulator.h"
 
 namespace {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "agreement/faults.h"
+#include "cells/cell_texture.h"
 
 namespace mapwright::agreement {
 namespace {

@@ -8,6 +8,9 @@
 #include <span>
 #include <utility>
 
+#include "cells/cell_texture.h"
+#include "render/tap_cells.h"
+
 namespace mapwright::agreement {
 namespace {
 

@@ -21,11 +21,14 @@
 
 #include <Eigen/Core>
 
-#include "cells/cell_texture.h"
 #include "geometry/rect.h"
 #include "map/submap.h"
 #include "render/compositor.h"
 #include "render/dense_cache.h"
+
+namespace mapwright::cells {
+struct CellPair;
+}
 
 namespace mapwright::agreement {
 

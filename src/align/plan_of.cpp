@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grids/grid_pyramid.h"
 #include "placing/ground.h"
 
 namespace mapwright::align {

@@ -15,6 +15,7 @@
 #include "grids/rows_missing.h"
 #include "jobs/faults.h"
 #include "render/compose_grid.h"
+#include "render/dense_cache.h"
 #include "sentences/fault_sentence.h"
 #include "words/figures.h"
 #include "words/qt_plain.h"

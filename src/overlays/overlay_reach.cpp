@@ -11,6 +11,7 @@
 #include <queue>
 
 #include "grids/grid_cells.h"
+#include "grids/grid_pyramid.h"
 #include "overlays/overlay_check.h"
 #include "overlays/overlay_shapes.h"
 #include "overlays/overlay_types.h"

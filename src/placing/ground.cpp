@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "grids/grid_pyramid.h"
+
 namespace mapwright::placing {
 namespace {
 

@@ -8,8 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
+
+namespace mapwright::grids {
+class GridPyramid;
+}
 
 namespace mapwright::placing {
 

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "grids/grid_pyramid.h"
 #include "map/live_topics.h"
 #include "map/waypoint.h"
 

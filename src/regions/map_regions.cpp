@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "grids/faults.h"
+#include "grids/grid_pyramid.h"
+#include "regions/region_sheet.h"
 
 namespace mapwright::regions {
 namespace {

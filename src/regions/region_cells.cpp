@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "regions/region_sheet.h"
+
 namespace mapwright::regions {
 
 Misfit RegionCells::misfitOf(const map::GridPart& part) const {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "map/map_part.h"
-#include "regions/region_sheet.h"
 
 namespace mapwright::regions {
+
+class RegionSheet;
 
 /// Why a piece cannot be placed.
 enum class Misfit {

@@ -8,8 +8,10 @@
 #include <tuple>
 #include <utility>
 
+#include "grids/grid_pyramid.h"
 #include "grids/reduce_grid.h"
 #include "regions/region_fetch.h"
+#include "regions/region_sheet.h"
 
 namespace mapwright::regions {
 namespace {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "grids/grid_pyramid.h"
+
 namespace mapwright::regions {
 namespace {
 

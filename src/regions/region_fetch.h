@@ -9,6 +9,10 @@
 
 #include "regions/region_map.h"
 
+namespace mapwright::grids {
+class GridPyramid;
+}
+
 namespace mapwright::regions {
 
 /// The result for a rectangle. Missing parts, and those beyond the map, are unknown.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/dense_cache.h"
+
 namespace mapwright::render {
 namespace {
 

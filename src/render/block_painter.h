@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/compositor.h"
+#include "render/tap_cells.h"
 #include "render/kernel.h"
 
 namespace mapwright::render {

@@ -8,14 +8,18 @@
 #include <span>
 #include <vector>
 
-#include "cells/cell_texture.h"
 #include "geometry/pose.h"
 #include "geometry/rect.h"
 #include "map/submap.h"
-#include "render/dense_cache.h"
 #include "render/pixel_flags.h"
 
+namespace mapwright::cells {
+class CellTexture;
+}
+
 namespace mapwright::render {
+
+class DenseCache;
 
 /// A texture with its pose. `flags`: its classes and the PixelFlag bits (without kObserved) for its pixels.
 struct PlacedTexture {

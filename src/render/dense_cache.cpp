@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "render/tap_cells.h"
+
 namespace mapwright::render {
 namespace {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "grids/grid_cells.h"
+#include "grids/grid_pyramid.h"
+
 namespace mapwright::render {
 namespace {
 

@@ -6,9 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "grids/grid_cells.h"
 #include "render/grid_renderer.h"
 #include "render/tile_colors.h"
+
+namespace mapwright::grids {
+enum class CellCode : std::uint8_t;
+class GridPyramid;
+}  // namespace mapwright::grids
 
 namespace mapwright::render {
 

@@ -8,9 +8,13 @@
 #include <memory>
 #include <optional>
 
-#include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
 #include "render/compositor.h"
+
+namespace mapwright::grids {
+class GridPyramid;
+struct CellMeaning;
+}  // namespace mapwright::grids
 
 namespace mapwright::render {
 

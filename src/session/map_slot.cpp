@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "grids/grid_pyramid.h"
 #include "session/faults.h"
 
 namespace mapwright::session {
@@ -39,12 +40,13 @@ struct MapSlot::Listener {
   MapSlot* slot = nullptr;  // null: gone
 };
 
-MapSlot::MapSlot(QString sidecar_folder, grids::Resources resources, QObject* parent)
+MapSlot::MapSlot(QString sidecar_folder, const grids::Resources& resources, QObject* parent)
     : QObject(parent),
       sidecar_folder_(std::move(sidecar_folder)),
+      reduction_(grids::Reduction::OccupiedWins),
       listener_(std::make_shared<Listener>()),
-      resources_{work::orOwn(std::move(resources.workers)), std::move(resources.unpacked)},
-      tasks_(resources_.workers) {
+      resources_(std::make_unique<grids::Resources>(work::orOwn(resources.workers), resources.unpacked)),
+      tasks_(resources_->workers) {
   listener_->slot = this;
 }
 
@@ -56,6 +58,8 @@ MapSlot::~MapSlot() {
   cancel();
   tasks_.waitForDone();
 }
+
+bool MapSlot::broken() const { return broken_ || (shown_cells_ && shown_cells_->trouble().any()); }
 
 map::Subject MapSlot::subject() const { return map::subjectOf(key_, name_.toStdString()); }
 
@@ -153,7 +157,7 @@ void MapSlot::start() {
   grids::GridOptions options;
   options.reading = source_->reading;
   options.reduction = reduction_;
-  options.resources = resources_;
+  options.resources = *resources_;
   if (source_->key.kind != map::MapKind::Live) {
     options.sidecar_folder = sidecar_folder_.toStdString();
     options.fingerprint = source_->fingerprint;

@@ -8,10 +8,17 @@
 #include <QObject>
 #include <QString>
 
-#include "grids/grid_pyramid.h"
 #include "map/catalogue.h"
 #include "map/waypoint.h"
 #include "work/workers.h"
+
+namespace mapwright::grids {
+class GridPyramid;
+struct GridOptions;
+struct Resources;
+enum class GridDamage : std::uint8_t;
+enum class Reduction : std::uint8_t;
+}  // namespace mapwright::grids
 
 namespace mapwright::session {
 
@@ -27,7 +34,7 @@ class MapSlot : public QObject {
 
   /// `sidecar_folder`: cache for finished pyramids of large pictures; empty = none. Live maps are not cached:
   /// the next one replaces them, and they would displace useful ones.
-  explicit MapSlot(QString sidecar_folder, grids::Resources resources = {}, QObject* parent = nullptr);
+  MapSlot(QString sidecar_folder, const grids::Resources& resources, QObject* parent = nullptr);
   ~MapSlot() override;
 
   /// The map is being fetched; what is shown stays.
@@ -49,7 +56,7 @@ class MapSlot : public QObject {
   /// Read to the end (or until it failed), or there is nothing to read.
   bool settled() const { return phase_ != Phase::Fetching && phase_ != Phase::Reading; }
   /// The picture is truncated or could not be read completely: part of it is missing.
-  bool broken() const { return broken_ || (shown_cells_ && shown_cells_->trouble().any()); }
+  bool broken() const;
   double progress() const;  // 0..1 of the rows, while Reading
   /// What was requested last, and what is on screen (they differ while one replaces the other).
   const map::MapKey& key() const { return key_; }
@@ -100,7 +107,7 @@ class MapSlot : public QObject {
   map::Subject subject() const;
 
   QString sidecar_folder_;
-  grids::Reduction reduction_ = grids::Reduction::OccupiedWins;
+  grids::Reduction reduction_;
   Phase phase_ = Phase::Empty;
   map::MapKey key_;
   QString name_;
@@ -120,7 +127,7 @@ class MapSlot : public QObject {
   std::shared_ptr<Listener> listener_;  // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
   bool cache_told_ = false;  // reported that nothing can be cached on disk
-  grids::Resources resources_;
+  const std::unique_ptr<const grids::Resources> resources_;
   work::Tasks tasks_;
 };
 

@@ -5,11 +5,16 @@
 #include <QFile>
 #include <QLoggingCategory>
 
+#include "grids/grid_pyramid.h"
 #include "grids/tile_cache.h"
 #include "map/live_state.h"
 #include "robot/robot.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
+#include "session/layer_grids.h"
+#include "session/session_options.h"
+#include "session/submaps.h"
+#include "work/workers.h"
 
 namespace mapwright::session {
 namespace {
@@ -34,25 +39,26 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       robot_(std::move(robot)),
       monotonic_(orOwnClock(std::move(monotonic))),
       wall_(std::move(options.wall)),
-      resources_{work::orOwn(std::move(options.workers)),
-                 std::make_shared<grids::TileCache>(options.budgets.unpacked)},
+      resources_(std::make_unique<grids::Resources>(
+          work::orOwn(std::move(options.workers)),
+          std::make_shared<grids::TileCache>(options.budgets.unpacked))),
       safety_(live_, [this] { return wallSeconds(); }),
-      submaps_([this] { return robot_->submapSource(); },
-               {options.scheduler,
-                resources_.workers,
-                {options.budgets.textures, QFile::encodeName(options.sidecar_folder).toStdString()}},
-               monotonic_),
+      submaps_(std::make_unique<Submaps>(
+          [this] { return robot_->submapSource(); },
+          Submaps::Options{options.scheduler, resources_->workers, options.budgets.textures,
+                           QFile::encodeName(options.sidecar_folder).toStdString()},
+          monotonic_)),
       overview_wanted_(options.overview),
       submaps_wanted_(options.basics.submaps),
       maps_by_itself_(options.maps),
       live_wanted_(options.maps),
       catalogue_(robot_->mapCatalogue()),
-      whole_map_(options.sidecar_folder, resources_),
-      compared_map_(options.sidecar_folder, resources_),
-      map_for_checks_(options.sidecar_folder, resources_),
-      overview_({}, resources_),
-      layer_grids_(resources_),
-      pose_graph_(*robot_, resources_.workers) {
+      whole_map_(options.sidecar_folder, *resources_),
+      compared_map_(options.sidecar_folder, *resources_),
+      map_for_checks_(options.sidecar_folder, *resources_),
+      overview_({}, *resources_),
+      layer_grids_(std::make_unique<LayerGrids>(*resources_)),
+      pose_graph_(*robot_, resources_->workers) {
   if (robot::LiveTopics* const live = robot_->liveTopics()) live->setBasics(options.basics);
   problems_timer_.setSingleShot(true);
   connect(&problems_timer_, &QTimer::timeout, this, &Session::problemsChanged);
@@ -72,8 +78,8 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
 
 work::Budgets Session::memory() const {
   work::Budgets held;
-  held.textures = submaps_.textureBytes();
-  held.unpacked = resources_.unpacked->bytes();
+  held.textures = submaps_->textureBytes();
+  held.unpacked = resources_->unpacked->bytes();
   return held;
 }
 
@@ -81,6 +87,21 @@ Session::~Session() {
   robot_->disconnect(this);
   robot_.reset();  // no reply may arrive once the members below go
 }
+
+const submap::SubmapStore& Session::submaps() const { return submaps_->store(); }
+int Session::lostPictures() const { return submaps_->lost(); }
+SubmapStatus Session::status(map::SubmapId id) const { return submaps_->status(id); }
+Fault Session::reason(map::SubmapId id) const { return submaps_->reason(id); }
+bool Session::settled(int tries) const { return submaps_->settled(tries); }
+int Session::slice() const { return submaps_->slice(); }
+void Session::setSlice(int slice) { submaps_->setSlice(slice); }
+void Session::setVisible(const std::vector<map::SubmapId>& ids, bool visible) {
+  submaps_->setVisible(ids, visible);
+}
+void Session::setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {
+  submaps_->setView(visible_world, center_m);
+}
+geometry::WorldRect Session::contentBounds() const { return submaps_->contentBounds(); }
 
 void Session::open() { robot_->connectToRobot(); }
 
@@ -90,10 +111,10 @@ void Session::standStill() {
   if (std::exchange(still_, true)) return;
   robot_->disconnect(this);
   ++generation_;
-  submaps_.standStill();
+  submaps_->standStill();
   no_live_map_timer_.stop();
   for (MapSlot* slot : {&whole_map_, &compared_map_, &map_for_checks_, &overview_}) slot->standStill();
-  layer_grids_.standStill();
+  layer_grids_->standStill();
 }
 
 void Session::retryNow() {
@@ -104,7 +125,7 @@ void Session::retryNow() {
   catalogue_.refresh();
   retryMaps();
   pose_graph_.refresh();
-  submaps_.retryNow();
+  submaps_->retryNow();
 }
 
 void Session::clearProblems() {
@@ -113,27 +134,27 @@ void Session::clearProblems() {
 }
 
 void Session::wireSubmaps() {
-  submaps_.setOnline(robot_->connection().phase == robot::ConnectionPhase::Online);
-  connect(&submaps_, &Submaps::restarted, this, [this] {
+  submaps_->setOnline(robot_->connection().phase == robot::ConnectionPhase::Online);
+  connect(submaps_.get(), &Submaps::restarted, this, [this] {
     ++generation_;
     if (problems_.resolveAll(map::SubjectKind::Submap, wall_())) reportProblems();
     if (generation_ > 1) pose_graph_.refresh();  // the first list belongs to the graph that was asked for
     Q_EMIT sessionRestarted();
   });
-  connect(&submaps_, &Submaps::listChanged, this, &Session::listChanged);
-  connect(&submaps_, &Submaps::listTaken, this, [this](bool new_session) {
+  connect(submaps_.get(), &Submaps::listChanged, this, &Session::listChanged);
+  connect(submaps_.get(), &Submaps::listTaken, this, [this](bool new_session) {
     if (new_session) askForOverview();
   });
-  connect(&submaps_, &Submaps::placed, this, &Session::submapsPlaced);
-  connect(&submaps_, &Submaps::removed, this, &Session::submapsRemoved);
-  connect(&submaps_, &Submaps::sliceChanged, this, &Session::sliceChanged);
-  connect(&submaps_, &Submaps::touched, this, [this](const TouchedRows& rows) {
+  connect(submaps_.get(), &Submaps::placed, this, &Session::submapsPlaced);
+  connect(submaps_.get(), &Submaps::removed, this, &Session::submapsRemoved);
+  connect(submaps_.get(), &Submaps::sliceChanged, this, &Session::sliceChanged);
+  connect(submaps_.get(), &Submaps::touched, this, [this](const TouchedRows& rows) {
     Q_EMIT rowsTouched(rows);
     Q_EMIT rowsChanged();
   });
-  connect(&submaps_, &Submaps::problemFound, this, [this](const map::Problem& problem) { report(problem); });
-  connect(&submaps_, &Submaps::recovered, this, [this](const map::Recovery& recovery) { recover(recovery); });
-  connect(&submaps_, &Submaps::bodyCame, this, &Session::countFetch);
+  connect(submaps_.get(), &Submaps::problemFound, this, [this](const map::Problem& problem) { report(problem); });
+  connect(submaps_.get(), &Submaps::recovered, this, [this](const map::Recovery& recovery) { recover(recovery); });
+  connect(submaps_.get(), &Submaps::bodyCame, this, &Session::countFetch);
 }
 
 void Session::wireSafety(bool log) {
@@ -152,7 +173,7 @@ void Session::wireSafety(bool log) {
 
 void Session::onConnection() {
   const bool online = robot_->connection().phase == robot::ConnectionPhase::Online;
-  submaps_.setOnline(online);
+  submaps_->setOnline(online);
   if (online != was_online_) {
     if (!online) stale_since_ = robot::silentSince(*robot_).value_or(wall_());
     if (online) stale_since_.reset();
@@ -197,7 +218,7 @@ void Session::onMessage(const map::StampedMessage& stamped) {
     onFrame();
   }
   if (const auto* list = std::get_if<map::SubmapList>(&message)) {
-    if (submaps_wanted_) submaps_.onList(*list);
+    if (submaps_wanted_) submaps_->onList(*list);
     return;
   }
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
@@ -226,8 +247,8 @@ void Session::reset(map::World world, bool whole) {
   const std::optional<map::SubmapList> list = world.submaps;
   world_ = std::move(world);
   onFrame();
-  if (list && submaps_wanted_) submaps_.onList(*list);
-  if (!list && whole) submaps_.forgetList();
+  if (list && submaps_wanted_) submaps_->onList(*list);
+  if (!list && whole) submaps_->forgetList();
   for (const auto& [kind, grid] : std::map(live_.grids)) onGrid(grid);
   for (std::size_t what = 0; what < std::variant_size_v<map::TopicMessage>; ++what) {
     Q_EMIT liveChanged(int(what));
@@ -258,7 +279,7 @@ void Session::countFetch(std::size_t body_bytes, bool from_cache) {
 }
 
 SubmapCounts Session::counts() const {
-  SubmapCounts counts = submaps_.counts();
+  SubmapCounts counts = submaps_->counts();
   counts.fetches = fetches_;
   counts.cache_hits = cache_hits_;
   counts.bytes_fetched = bytes_fetched_;

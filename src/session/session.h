@@ -20,40 +20,29 @@
 #include "map/world.h"
 #include "robot/robot.h"
 #include "session/catalogue.h"
-#include "session/layer_grids.h"
 #include "session/map_slot.h"
 #include "session/pose_graph_slot.h"
 #include "session/problem_log.h"
 #include "session/safety_watch.h"
-#include "session/submaps.h"
+#include "session/submap_tally.h"
 #include "work/budgets.h"
-#include "work/workers.h"
+
+namespace mapwright::submap {
+class SubmapStore;
+}
 
 namespace mapwright::session {
+
+class LayerGrids;
+class Submaps;
 
 class Session : public QObject {
   Q_OBJECT
  public:
-  struct Options {
-    submap::SchedulerOptions scheduler;
-    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
-    /// For finished pyramids of large maps (empty = no cache), and for submaps that do not fit into memory
-    /// while the program runs.
-    QString sidecar_folder = {};
-    work::Budgets budgets = work::budgetsFrom();  // it uses `textures` and `unpacked`
-    bool overview = true;  // request a picture of the whole SLAM map while submaps are still loading
-    /// What is subscribed in any case. Without `submaps` none are listed or fetched.
-    robot::LiveTopics::Basics basics = {};
-    bool maps = true;         // requests the catalogue and opens the first whole map automatically
-    bool log_safety = false;  // problems of the robot itself are logged, too
-    /// The time of day for arriving messages and for problems.
-    std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); };
-    /// How long to wait for a live map before the current stored one is shown.
-    int live_map_within_ms = 5'000;
-  };
+  struct Options;  // session/session_options.h
   /// Takes ownership of the robot; connect with open(). `monotonic` is the clock for all waits.
   Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
-          std::function<submap::Millis()> monotonic = {});
+          std::function<std::chrono::milliseconds()> monotonic = {});
   ~Session() override;
 
   void open();
@@ -82,7 +71,7 @@ class Session : public QObject {
   /// Later messages apply to it. Not `whole`: missing parts may still be found, and the previous submaps stay
   /// until then.
   void reset(map::World world, bool whole = true);
-  const submap::SubmapStore& submaps() const { return submaps_.store(); }
+  const submap::SubmapStore& submaps() const;
   const ProblemLog& problems() const { return problems_; }
   void clearProblems();
   /// Reports a problem or a recovery at `at` (default: now).
@@ -96,21 +85,19 @@ class Session : public QObject {
   SubmapCounts counts() const;
   /// Number of pictures of submaps that could not be read back. They are fetched again, unless everything is
   /// frozen.
-  int lostPictures() const { return submaps_.lost(); }
-  SubmapStatus status(map::SubmapId id) const { return submaps_.status(id); }
+  int lostPictures() const;
+  SubmapStatus status(map::SubmapId id) const;
   /// Why it is Missing, Waiting, Corrupt or Unplaced; plain text.
-  Fault reason(map::SubmapId id) const { return submaps_.reason(id); }
+  Fault reason(map::SubmapId id) const;
   /// True if nothing more can be expected of the present list without another retry: every listed submap is
   /// on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
-  bool settled(int tries) const { return submaps_.settled(tries); }
+  bool settled(int tries) const;
 
-  int slice() const { return submaps_.slice(); }
-  void setSlice(int slice) { submaps_.setSlice(slice); }
-  void setVisible(const std::vector<map::SubmapId>& ids, bool visible) { submaps_.setVisible(ids, visible); }
+  int slice() const;
+  void setSlice(int slice);
+  void setVisible(const std::vector<map::SubmapId>& ids, bool visible);
   /// The visible area, which is fetched first.
-  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {
-    submaps_.setView(visible_world, center_m);
-  }
+  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
 
   // Whole maps (session_maps.cpp).
   Catalogue& catalogue() { return catalogue_; }
@@ -125,7 +112,7 @@ class Session : public QObject {
   void readForChecks(const std::optional<map::MapKey>& key);
   /// A coarse picture of the SLAM map, until all submaps are loaded.
   const MapSlot& overview() const { return overview_; }
-  const LayerGrids& layerGrids() const { return layer_grids_; }
+  const LayerGrids& layerGrids() const { return *layer_grids_; }
   /// How far the constraints of the SLAM session are from its map.
   PoseGraphSlot& poseGraph() { return pose_graph_; }
   const PoseGraphSlot& poseGraph() const { return pose_graph_; }
@@ -149,7 +136,7 @@ class Session : public QObject {
   work::Budgets memory() const;
 
   /// Bounds of everything drawn and visible; if nothing is loaded, of the poses. Empty without submaps.
-  geometry::WorldRect contentBounds() const { return submaps_.contentBounds(); }
+  geometry::WorldRect contentBounds() const;
 
  Q_SIGNALS:
   void connectionChanged();
@@ -199,17 +186,17 @@ class Session : public QObject {
   void retryMaps();  // those that failed
   void askForOverview();
   void sendWants();
-  submap::Millis now() const { return monotonic_(); }
+  std::chrono::milliseconds now() const { return monotonic_(); }
   double wallSeconds() const { return double(wall_().toMSecsSinceEpoch()) / 1000; }
 
   std::unique_ptr<robot::Robot> robot_;
-  std::function<submap::Millis()> monotonic_;
+  std::function<std::chrono::milliseconds()> monotonic_;
   std::function<QDateTime()> wall_;
-  grids::Resources resources_;
+  const std::unique_ptr<const grids::Resources> resources_;
   map::World world_;
   map::LiveState& live_ = world_.live;
   SafetyWatch safety_;
-  Submaps submaps_;
+  const std::unique_ptr<Submaps> submaps_;
   ProblemLog problems_;
   std::optional<QDateTime> stale_since_;
   bool was_online_ = false;
@@ -232,10 +219,10 @@ class Session : public QObject {
   QStringList wanted_topics_;          // all topics that may carry it
   std::set<const MapSlot*> outdated_;  // their source has changed since
   std::map<const MapSlot*, map::MapKey> live_places_;  // whose waypoints were requested last
-  std::optional<submap::Millis> listed_at_;  // when the catalogue last arrived; nullopt if it failed since
+  std::optional<std::chrono::milliseconds> listed_at_;  // when the catalogue last arrived; nullopt if it failed since
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, map_for_checks_, overview_;
-  LayerGrids layer_grids_;
+  const std::unique_ptr<LayerGrids> layer_grids_;
   PoseGraphSlot pose_graph_;
   QTimer problems_timer_, no_live_map_timer_;
 };

@@ -13,8 +13,10 @@
 #include "sentences/absence_sentence.h"
 #include "session/faults.h"
 #include "session/lacks_picture.h"
+#include "session/layer_grids.h"
 #include "session/makes_new_map.h"
 #include "session/session.h"
+#include "session/submaps.h"
 
 namespace mapwright::session {
 namespace {
@@ -72,9 +74,9 @@ void Session::wireMaps() {
       recover({overview});
     }
   });
-  connect(&layer_grids_, &LayerGrids::problemFound, this, onProblem);
-  connect(&layer_grids_, &LayerGrids::recovered, this, forget);
-  connect(&layer_grids_, &LayerGrids::unreadable, this, &Session::discardPicture);
+  connect(layer_grids_.get(), &LayerGrids::problemFound, this, onProblem);
+  connect(layer_grids_.get(), &LayerGrids::recovered, this, forget);
+  connect(layer_grids_.get(), &LayerGrids::unreadable, this, &Session::discardPicture);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
     if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
     if (!still_) pose_graph_.refresh();
@@ -222,7 +224,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     if (!stillWanted() || slot.phase() != MapSlot::Phase::Fetching) return;
     if (answer && answer->body_bytes > 0) {
       countFetch(answer->body_bytes, answer->from_cache);
-      submaps_.notifySoon();
+      submaps_->notifySoon();
     }
     if (answer && !(answer->key == slot.key())) {
       slot.fail({map::Severity::Error,
@@ -327,8 +329,8 @@ void Session::retryMaps() {
 
 void Session::onGrid(const map::GridMessage& message, bool repeated) {
   if (message.kind != map::GridKind::WholeMap) {
-    const bool shown = layer_grids_.find(message.kind) && !layer_grids_.busy();
-    if (!repeated || !shown) layer_grids_.onGrid(message);
+    const bool shown = layer_grids_->find(message.kind) && !layer_grids_->busy();
+    if (!repeated || !shown) layer_grids_->onGrid(message);
     return;
   }
   const map::MapKey live{map::MapKind::Live, {}};
@@ -365,7 +367,7 @@ bool Session::listensTo(const std::string& topic) const {
 }
 
 void Session::onFrame() {
-  layer_grids_.clear();
+  layer_grids_->clear();
   const map::MapKey live_map{map::MapKind::Live, {}};
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
     if (slot->phase() == MapSlot::Phase::Empty) continue;  // it is shown when it comes
@@ -388,7 +390,7 @@ void Session::forgetUnwanted() {
   }
   for (const map::GridKind kind : kinds) {
     live_.grids.erase(kind);
-    layer_grids_.drop(kind);
+    layer_grids_->drop(kind);
   }
   if (clouds) Q_EMIT liveChanged(map::topicIndex<map::PointCloudMessage>());
 }

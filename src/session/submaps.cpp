@@ -6,6 +6,8 @@
 #include <QLoggingCategory>
 #include <QPointer>
 
+#include "cells/cell_texture.h"
+#include "cells/texture_store.h"
 #include "map/submap_version.h"
 #include "session/faults.h"
 #include "submap/faults.h"
@@ -57,7 +59,7 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
         },
         Qt::QueuedConnection);
   };
-  textures_ = cells::TextureStore::make(options.textures, std::move(listener));
+  textures_ = cells::TextureStore::make({options.texture_bytes, options.texture_folder}, std::move(listener));
   for (QTimer* timer : {&wake_timer_, &touched_timer_}) timer->setSingleShot(true);
   connect(&wake_timer_, &QTimer::timeout, this, &Submaps::pump);
   connect(&touched_timer_, &QTimer::timeout, this, &Submaps::notifyNow);
@@ -68,6 +70,8 @@ Submaps::~Submaps() {
   tasks_.waitForDone();
   textures_->silence();
 }
+
+std::size_t Submaps::textureBytes() const { return textures_->bytesInMemory(); }
 
 void Submaps::forgetList() {
   if (still_) return;

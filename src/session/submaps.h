@@ -16,13 +16,16 @@
 #include <QString>
 #include <QTimer>
 
-#include "cells/texture_store.h"
 #include "geometry/rect.h"
 #include "robot/robot.h"
 #include "session/submap_tally.h"
 #include "submap/fetch_scheduler.h"
 #include "submap/submap_store.h"
 #include "work/workers.h"
+
+namespace mapwright::cells {
+class TextureStore;
+}
 
 namespace mapwright::session {
 
@@ -34,7 +37,8 @@ class Submaps : public QObject {
   struct Options {
     submap::SchedulerOptions scheduler;
     std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
-    cells::TextureStore::Options textures = {};
+    std::size_t texture_bytes = std::size_t(256) << 20;  // in memory; the others wait on disk
+    std::string texture_folder = {};  // for their file; empty = the system's folder for temporary files
   };
   /// `source` returns the source of submaps, null while there is none.
   Submaps(std::function<robot::SubmapSource*()> source, const Options& options,
@@ -56,7 +60,7 @@ class Submaps : public QObject {
   SubmapCounts counts() const;
   /// How many pictures the store has lost that have not been reloaded.
   int lost() const { return int(lost_.size()); }
-  std::size_t textureBytes() const { return textures_->bytesInMemory(); }
+  std::size_t textureBytes() const;
   SubmapStatus status(map::SubmapId id) const;
   Fault reason(map::SubmapId id) const;
   bool settled(int tries) const;

@@ -11,12 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "cells/cell_texture.h"
 #include "geometry/pose.h"
 #include "geometry/rect.h"
 #include "map/problem.h"
 #include "map/submap.h"
 #include "submap/compare_lists.h"
+
+namespace mapwright::cells {
+class CellTexture;
+}
 
 namespace mapwright::submap {
 

@@ -8,7 +8,7 @@
 
 #include "robot/axbot/axbot_robot.h"
 #include "sentences/fault_sentence.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 

@@ -11,7 +11,7 @@
 #include "map/submap_version.h"
 #include "robot/axbot/parse_topics.h"
 #include "ros_messages/wrapper.pb.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "session/submaps_complete.h"
 #include "submap/faults.h"
 #include "test_program.h"

@@ -7,7 +7,7 @@
 #include "map/faults.h"
 #include "robot/axbot/faults.h"
 #include "session/faults.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "test_program.h"
 
 namespace test_session {

@@ -7,7 +7,7 @@
 #include "robot/aimdk/faults.h"
 #include "robot/map_dispatch.h"
 #include "sentences/problem_sentence.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "test_program.h"
 
 namespace test_session_maps {

@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "fake_robot.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "test_program.h"
 
 namespace test_standing_still {

@@ -194,7 +194,7 @@ class SubmapsTest : public QObject {
 
   void aPictureThatIsLostIsFetchedAgain() {
     Submaps::Options options;
-    options.textures.budget_bytes = 0;  // everything lies on disk
+    options.texture_bytes = 0;  // everything lies on disk
     submaps_ = std::make_unique<Submaps>([this] { return &source_; }, options, [this] { return now_; });
     submaps_->setOnline(true);
     map::SubmapList list;

@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "fake_robot.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "ui/slam/submap_tree_model.h"
 

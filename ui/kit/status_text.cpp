@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "grids/grid_pyramid.h"
 #include "robot/robot.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "session/layer_grids.h"
 #include "ui/kit/forms.h"
 
 namespace mapwright::window {

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QPointer>
 
+#include "grids/grid_cells.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
 

@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 
 #include "align/align_placed.h"
+#include "cells/cell_texture.h"
 #include "render/compose_grid.h"
 #include "render/dense_cache.h"
 

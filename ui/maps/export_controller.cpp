@@ -24,10 +24,12 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "cells/cell_texture.h"
 #include "robot/address.h"
 #include "scene/map_scene.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
+#include "submap/submap_store.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"

@@ -6,6 +6,7 @@
 #include <QTimeZone>
 
 #include "scene/lengths.h"
+#include "submap/submap_store.h"
 #include "ui/kit/status_text.h"
 #include "ui/objects/map_facts.h"
 #include "ui/view/notice_bar.h"

@@ -7,6 +7,7 @@
 
 #include <QPainter>
 
+#include "grids/grid_pyramid.h"
 #include "scene/drawing.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/view/map_tool.h"

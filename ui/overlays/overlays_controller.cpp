@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "grids/grid_pyramid.h"
 #include "map/live_topics.h"
 #include "overlays/overlay_check.h"
 #include "overlays/overlay_merge.h"

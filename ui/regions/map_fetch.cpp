@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 #include <QTime>
 
+#include "grids/grid_pyramid.h"
 #include "jobs/export_map.h"
 #include "regions/region_sentence.h"
 #include "scene/map_scene.h"

@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include "regions/region_sentence.h"
+#include "regions/region_sheet.h"
 
 namespace mapwright::window {
 namespace {

@@ -14,6 +14,7 @@
 #include "robot/delivery.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
+#include "submap/submap_store.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/icons.h"

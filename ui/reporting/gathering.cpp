@@ -13,6 +13,8 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
+#include "session/layer_grids.h"
+#include "session/session_options.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::reporting {

@@ -12,6 +12,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
+#include "submap/submap_store.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"

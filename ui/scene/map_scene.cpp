@@ -5,11 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "cells/cell_texture.h"
+#include "grids/grid_pyramid.h"
 #include "scene/layer_objects.h"
 #include "scene/scene_items.h"
 #include "scene/submap_classes.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
+#include "submap/submap_store.h"
 
 namespace mapwright::scene {
 namespace {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "grids/grid_pyramid.h"
+#include "regions/region_sheet.h"
 #include "render/grid_palettes.h"
+#include "session/layer_grids.h"
 
 namespace mapwright::scene {
 namespace {

@@ -13,6 +13,10 @@
 #include "scene/layer_item.h"
 #include "session/session.h"
 
+namespace mapwright::session {
+struct LayerGrid;
+}
+
 namespace mapwright::scene {
 
 /// A picture of cells: a whole map, a costmap, a difference.

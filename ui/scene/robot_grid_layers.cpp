@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "grids/grid_pyramid.h"
 #include "map/live_topics.h"
 #include "render/grid_palettes.h"
 #include "scene/legend.h"
 #include "scene/raster_stack.h"
+#include "session/layer_grids.h"
 
 namespace mapwright::scene {
 namespace {

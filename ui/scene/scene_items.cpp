@@ -8,6 +8,8 @@
 #include <QGraphicsScene>
 
 #include "geometry/polyline.h"
+#include "grids/grid_pyramid.h"
+#include "regions/region_sheet.h"
 #include "scene/lengths.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"

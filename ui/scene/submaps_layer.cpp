@@ -10,6 +10,7 @@
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "submap/row_version.h"
+#include "submap/submap_store.h"
 
 namespace mapwright::scene {
 namespace {

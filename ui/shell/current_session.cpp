@@ -9,6 +9,7 @@
 #include "replay/replay_robot.h"
 #include "robot/has_capability.h"
 #include "scene/map_scene.h"
+#include "session/session_options.h"
 #include "ui/view/on_screen.h"
 
 namespace mapwright::window {
@@ -34,8 +35,11 @@ session::Session::Options optionsOf(robot::Robot& robot, session::Session::Optio
 
 CurrentSession::CurrentSession(scene::MapScene& scene, session::Session::Options options,
                                robot::Addresses addresses, QObject* parent)
-    : QObject(parent), scene_(scene), options_(std::move(options)), addresses_(std::move(addresses)) {
-  options_.log_safety = true;
+    : QObject(parent),
+      scene_(scene),
+      options_(std::make_unique<session::Session::Options>(std::move(options))),
+      addresses_(std::move(addresses)) {
+  options_->log_safety = true;
   connect(&scene_, &scene::MapScene::layersChanged, this, &CurrentSession::stateChanged);
 }
 
@@ -58,7 +62,7 @@ void CurrentSession::begin(std::unique_ptr<robot::Robot> robot) {
   if (!session_ || !qobject_cast<replay::ReplayRobot*>(&session_->robot())) before_replay_ = address();
   leave();
   called_.clear();
-  const session::Session::Options options = optionsOf(*robot, options_);
+  const session::Session::Options options = optionsOf(*robot, *options_);
   session_ = std::make_unique<session::Session>(std::move(robot), options);
   scene_.setSession(session_.get());
   watch();

@@ -51,7 +51,7 @@ class CurrentSession : public QObject {
   void watch();
 
   scene::MapScene& scene_;
-  session::Session::Options options_;
+  const std::unique_ptr<session::Session::Options> options_;
   robot::Addresses addresses_;
   std::unique_ptr<session::Session> session_;
   QString called_, before_replay_;

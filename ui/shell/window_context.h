@@ -5,11 +5,13 @@
 #include <QSettings>
 #include <QUndoGroup>
 
-#include "edit/document_drafts.h"
 #include "robot/address.h"
 #include "work/budgets.h"
 #include "work/workers.h"
 
+namespace mapwright::edit {
+struct EditOptions;
+}
 namespace mapwright::scene {
 class MapScene;
 }
@@ -47,7 +49,7 @@ struct WindowContext {
   HitList& hits;                           // what can be taken hold of on the map
   QUndoGroup& undo;                        // whose active stack Ctrl+Z is about
   UnsavedChanges& unsaved;                 // asked before the present map is left
-  edit::EditOptions edit;                  // where drafts are kept
+  const edit::EditOptions& edit;           // where drafts are kept
   robot::Addresses addresses;              // that people may type
   work::Budgets budgets;                   // of all caches
   std::shared_ptr<work::Workers> workers;  // what takes long is not done on the GUI thread

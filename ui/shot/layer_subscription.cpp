@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "robot/offers_topics.h"
+#include "session/layer_grids.h"
 
 namespace mapwright::shot {
 

@@ -12,6 +12,7 @@
 #include "grids/png_writer.h"
 #include "jobs/export_map.h"
 #include "scene/agreement_run.h"
+#include "submap/submap_store.h"
 #include "work/budgets.h"
 
 namespace mapwright::shot {

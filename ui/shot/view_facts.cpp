@@ -5,6 +5,7 @@
 #include "grids/grid_pyramid.h"
 #include "replay/replay_robot.h"
 #include "scene/layer.h"
+#include "submap/submap_store.h"
 
 namespace mapwright::shot {
 namespace {

@@ -13,6 +13,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "submap/submap_store.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
 #include "ui/shell/current_session.h"

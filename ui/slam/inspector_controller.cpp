@@ -8,6 +8,7 @@
 
 #include "scene/map_scene.h"
 #include "session/session.h"
+#include "submap/submap_store.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/findings.h"
 #include "ui/kit/icons.h"

@@ -27,6 +27,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "submap/row_version.h"
+#include "submap/submap_store.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"

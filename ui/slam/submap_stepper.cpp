@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "submap/submap_store.h"
+
 namespace mapwright::window {
 
 void SubmapStepper::setSession(session::Session* session) {

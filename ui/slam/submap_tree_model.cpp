@@ -8,6 +8,7 @@
 
 #include "sentences/fault_sentence.h"
 #include "submap/row_version.h"
+#include "submap/submap_store.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 

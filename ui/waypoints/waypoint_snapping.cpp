@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "geometry/pose.h"
+#include "grids/grid_pyramid.h"
 #include "scene/drawing.h"
 #include "scene/lengths.h"
 #include "ui/view/map_tool.h"

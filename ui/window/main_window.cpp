@@ -113,6 +113,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   overlay_ = new MapOverlay(view_, new MapFurniture(actions_, view_));
   current_ = new CurrentSession(*scene_, with(workers_, dependencies.budgets, dependencies.session),
                                 dependencies.addresses, this);
+  edit_ = with(workers_, dependencies.edit);
   context_.emplace(WindowContext{.window = *this,
                                  .view = *view_,
                                  .scene = *scene_,
@@ -129,7 +130,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
                                  .hits = hits_,
                                  .undo = undo_,
                                  .unsaved = *new UnsavedChanges(this),
-                                 .edit = with(workers_, dependencies.edit),
+                                 .edit = edit_,
                                  .addresses = dependencies.addresses,
                                  .budgets = dependencies.budgets,
                                  .workers = workers_});

@@ -20,7 +20,7 @@
 #include "robot/probe.h"
 #include "robot/robot.h"
 #include "scene/map_scene.h"
-#include "session/session.h"
+#include "session/session_options.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/findings.h"
 #include "ui/shell/window_context.h"
@@ -146,6 +146,7 @@ class MainWindow : public QMainWindow {
   WindowStatusBar* bar_;
   MapOverlay* overlay_;
   CurrentSession* current_;
+  edit::EditOptions edit_;
   std::optional<WindowContext> context_;
 
   AppearanceController* appearance_ = nullptr;
