@@ -26,13 +26,19 @@ constexpr char kFallback[] = "offscreen:";
 
 // Whatever else is installed: beside the font that the program brings along only those of Noto, in the
 // versions of Debian 12 (fonts-noto-cjk, fonts-noto-color-emoji). One family of Noto has all of Chinese,
-// Japanese and Korean; of several the language of the user would choose.
+// Japanese and Korean; of several the language of the user would choose. Folders of bitmap and printer fonts
+// are not even looked into: unpacking those took most of the time of a first command.
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">
 <fontconfig>
   <dir>/usr/share/fonts</dir>
   <cachedir prefix="xdg">fontconfig</cachedir>
   <selectfont>
+    <rejectfont>
+      <glob>/usr/share/fonts/X11*</glob>
+      <glob>/usr/share/fonts/?ype1*</glob>
+      <glob>/usr/share/fonts/c?ap*</glob>
+    </rejectfont>
     <rejectfont><pattern><patelt name="scalable"><bool>true</bool></patelt></pattern></rejectfont>
     <rejectfont><pattern><patelt name="scalable"><bool>false</bool></patelt></pattern></rejectfont>
     <acceptfont><pattern>
