@@ -198,6 +198,12 @@ std::vector<double> cast(const FloorPlan& plan, const geometry::Pose2& pose, int
   std::vector<double> ranges(static_cast<std::size_t>(rays), std::numeric_limits<double>::infinity());
   const Vector2d start(pose.x_m, pose.y_m), reach(kLidarRangeM, kLidarRangeM);
   const double step = kTurn / rays;
+  // Made once: a ray passes many solids.
+  std::vector<Vector2d> directions(ranges.size());
+  for (std::size_t ray = 0; ray < directions.size(); ++ray) {
+    const double angle = pose.yaw_rad + step * static_cast<double>(ray);
+    directions[ray] = {std::cos(angle), std::sin(angle)};
+  }
   for (const std::uint32_t index : plan.near(start - reach, start + reach)) {
     const Solid& solid = plan.solids()[index];
     const Vector2d offset = solid.centre - start;
@@ -210,8 +216,7 @@ std::vector<double> cast(const FloorPlan& plan, const geometry::Pose2& pose, int
     const auto first = static_cast<long>(std::floor((middle - half) / step));
     for (int i = 0; i < count; ++i) {
       const auto ray = static_cast<std::size_t>(((first + i) % rays + rays) % rays);
-      const double angle = pose.yaw_rad + step * static_cast<double>(ray);
-      ranges[ray] = std::min(ranges[ray], hit(solid, start, {std::cos(angle), std::sin(angle)}));
+      ranges[ray] = std::min(ranges[ray], hit(solid, start, directions[ray]));
     }
   }
   return ranges;
