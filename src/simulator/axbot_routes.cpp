@@ -78,10 +78,11 @@ HttpAnswer submap(const Robot& robot, const HttpQuestion& question) {
 
   const std::string tag = '"' + uuid + '-' + std::to_string(*trajectory) + '-' + std::to_string(*index) +
                           '-' + std::to_string(source->version) + '"';
+  BodyCache& bodies = isOfSceneAlone(*source) ? robot.made.bodies : robot.bodies;
   HttpAnswer answer =
       matchesTag(question.if_none_match, tag)
           ? emptyAnswer(304)
-          : protobufAnswer(robot.bodies.get({source->session, source->id, source->version}, [&] {
+          : protobufAnswer(bodies.get({source->session, source->id, source->version}, [&] {
               return std::make_shared<const std::string>(makeSubmapBody(robot.state.plan(), *source));
             }));
   const bool versioned = !queryValue(question.target, "ver").empty();

@@ -8,6 +8,7 @@
 
 #include "simulator/bags.h"
 #include "simulator/http_answer.h"
+#include "simulator/made.h"
 #include "simulator/maps.h"
 #include "simulator/robot_state.h"
 #include "simulator/submap_source.h"
@@ -21,7 +22,8 @@ struct Robot {
   MapLibrary& library;
   MappingTasks& mappings;
   BagStore& bags;
-  BodyCache& bodies;
+  MadeOfScene& made;
+  BodyCache& bodies;  // that are of this robot
   FaultPlan& faults;
 };
 

@@ -157,8 +157,8 @@ bool isOverlays(std::string_view text) {
   return overlays && (*overlays)["features"].as<Value::List>() != nullptr;
 }
 
-MapLibrary::MapLibrary(const RobotState& state, std::uint32_t seed)
-    : state_(state), seed_(seed), pictures_(state.scene()), maps_(mapsAtFirst(state.scene())) {
+MapLibrary::MapLibrary(const RobotState& state, MapPictures& pictures, std::uint32_t seed)
+    : state_(state), seed_(seed), pictures_(pictures), maps_(mapsAtFirst(state.scene())) {
   if (maps_.empty()) return;
   current_ = at_first_ = maps_.front();
   next_id_ = maps_.back().id + 1;

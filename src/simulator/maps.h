@@ -49,7 +49,7 @@ struct MapEdits {
 /// Safe from any thread. A pure function of scene, seed and later changes.
 class MapLibrary {
  public:
-  MapLibrary(const RobotState& state, std::uint32_t seed);
+  MapLibrary(const RobotState& state, MapPictures& pictures, std::uint32_t seed);
 
   std::vector<StoredMap> maps() const;  // empty for a scene without submaps
   std::optional<StoredMap> find(int id) const;
@@ -105,7 +105,7 @@ class MapLibrary {
 
   const RobotState& state_;
   const std::uint32_t seed_;
-  MapPictures pictures_;
+  MapPictures& pictures_;
   Cache<std::string, std::shared_ptr<const std::string>> state_files_{8};  // by the hash of the picture
   mutable std::mutex mutex_;
   std::vector<StoredMap> maps_;       // ascending by id

@@ -77,7 +77,7 @@ class MapPictures {
 
   const Scene& scene_;
   Cache<PictureSpec, MapPicturePtr> pictures_{24}, thumbnails_{24};
-  Cache<PictureSpec, std::shared_ptr<const FloorCells>> cells_{3};
+  Cache<PictureSpec, std::shared_ptr<const FloorCells>> cells_{6};
 };
 
 /// A square of `cells` around a position, on the lattice through the world's origin.

@@ -4,12 +4,11 @@
 #include <mutex>
 
 #include "simulator/axbot_server.h"
+#include "simulator/made.h"
 #include "simulator/ros/ros_server.h"
 
 namespace mapwright::simulator {
 namespace {
-
-constexpr std::size_t kBodiesKept = 600;  // some 64 MiB
 
 std::optional<std::string> problemOf(const Options& options, bool scene_exists) {
   if (!scene_exists) {
@@ -43,7 +42,7 @@ std::optional<std::string> problemOf(const Options& options, bool scene_exists) 
 
 class Simulator::Impl {
  public:
-  explicit Impl(Options chosen) : Impl(chosen, sceneFor(chosen)) {}
+  explicit Impl(Options chosen) : Impl(chosen, madeFor(chosen)) {}
 
   void publish() {
     const std::lock_guard lock(server_mutex);
@@ -71,6 +70,7 @@ class Simulator::Impl {
 
   const Options options;
   const std::optional<std::string> problem;
+  const std::shared_ptr<MadeOfScene> made;
   RobotState state;
   MapLibrary library;
   MappingTasks mappings;
@@ -78,28 +78,26 @@ class Simulator::Impl {
   BodyCache bodies{kBodiesKept};
   FaultPlan faults;
   RequestLog log;
-  MapPictures ros_pictures;
   ros::KabamStore kabam;
   mutable std::mutex server_mutex;
   std::unique_ptr<AxbotServer> server;
   std::unique_ptr<ros::RosServer> ros_server;
 
  private:
-  static std::optional<Scene> sceneFor(const Options& options) {
-    if (options.submaps < 0 || options.submaps > kMostSubmaps) return Scene{};
-    return makeScene(options.scene, options.submaps, options.seed);
+  static std::shared_ptr<MadeOfScene> madeFor(const Options& options) {
+    if (options.submaps < 0 || options.submaps > kMostSubmaps) return std::make_shared<MadeOfScene>(Scene{});
+    return madeOf(options.scene, options.submaps, options.seed);
   }
-  Impl(const Options& chosen, std::optional<Scene> scene)
+  Impl(const Options& chosen, std::shared_ptr<MadeOfScene> found)
       : options(chosen),
-        problem(problemOf(chosen, scene.has_value())),
-        state(problem || !scene ? Scene{} : std::move(*scene), chosen.seed,
-              {chosen.start_at_s, chosen.speed, chosen.paused}),
-        library(state, chosen.seed),
+        problem(problemOf(chosen, found != nullptr)),
+        made(problem ? std::make_shared<MadeOfScene>(Scene{}) : std::move(found)),
+        state(made->scene, chosen.seed, {chosen.start_at_s, chosen.speed, chosen.paused}),
+        library(state, made->pictures, chosen.seed),
         mappings(state),
         bags(state, library, options),
         faults(chosen.faults, chosen.seed),
-        ros_pictures(state.scene()),
-        kabam(state, ros_pictures, faults, options) {}
+        kabam(state, made->pictures, faults, options) {}
 };
 
 Simulator::Simulator(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
@@ -112,12 +110,12 @@ std::optional<std::string> Simulator::start() {
   if (impl_->server) return std::nullopt;
   auto server =
       std::make_unique<AxbotServer>(Robot{impl_->options, impl_->state, impl_->library, impl_->mappings,
-                                          impl_->bags, impl_->bodies, impl_->faults},
+                                          impl_->bags, *impl_->made, impl_->bodies, impl_->faults},
                                     impl_->log);
   if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
     return failure;
   auto ros_server = std::make_unique<ros::RosServer>(impl_->options, impl_->state, impl_->faults, impl_->log,
-                                                     impl_->kabam, impl_->ros_pictures);
+                                                     impl_->kabam, impl_->made->pictures);
   if (std::optional<std::string> failure = ros_server->start(impl_->options.ros.port)) return failure;
   impl_->server = std::move(server);
   impl_->ros_server = std::move(ros_server);
