@@ -1,7 +1,6 @@
 // What is in the picture and in its report: what was asked for, as it was when the picture was begun.
 #include <utility>
 
-#include <QDeadlineTimer>
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
@@ -9,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 
 #include "../session/fake_robot.h"
 #include "app/exit_code.h"
@@ -331,12 +331,8 @@ class SnapshotContentTest : public QObject {
     asked.scale = 0.0005;
     asked.timeout_s = 1;
     begin(asked);
-    // The main thread is busy until the time is over: the picture has hardly been begun then.
-    connect(run_.get(), &SnapshotRun::contentChosen, this, [] {
-      const QDeadlineTimer over(1'300, Qt::PreciseTimer);
-      while (!over.hasExpired()) {
-      }
-    });
+    // The main thread does nothing else until the time is over: the picture has hardly been begun then.
+    connect(run_.get(), &SnapshotRun::contentChosen, this, [] { QThread::msleep(1'300); });
     robot_->say(listOf(6, "u"));
     answerEverySubmap();
     QTRY_VERIFY_WITH_TIMEOUT(!finished_->isEmpty(), 60'000);
