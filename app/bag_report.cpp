@@ -6,7 +6,7 @@
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
-#include "reporting/report_job.h"
+#include "ui/reporting/report_job.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

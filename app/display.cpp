@@ -13,7 +13,7 @@
 #include "app/command_text.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
-#include "scene/label_font.h"
+#include "ui/scene/label_font.h"
 
 static void initFonts() { Q_INIT_RESOURCE(fonts); }
 

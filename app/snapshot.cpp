@@ -24,7 +24,7 @@
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
 #include "replay/replay_robot.h"
-#include "scene/layer.h"
+#include "ui/scene/layer.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

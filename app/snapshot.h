@@ -15,8 +15,8 @@
 #include "map/catalogue.h"
 #include "render/tile_renderer.h"
 #include "robot/offers_topics.h"
-#include "scene/map_scene.h"
 #include "suite/suite.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::app {
 

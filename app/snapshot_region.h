@@ -13,7 +13,7 @@
 #include "geometry/rect.h"
 #include "regions/region_fetch.h"
 #include "robot/robot.h"
-#include "shot/picture.h"
+#include "ui/shot/picture.h"
 
 namespace mapwright::app {
 

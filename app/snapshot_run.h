@@ -15,10 +15,10 @@
 #include "app/snapshot.h"
 #include "app/snapshot_region.h"
 #include "session/session.h"
-#include "shot/layer_subscription.h"
-#include "shot/map_shot.h"
-#include "shot/picture.h"
-#include "shot/recall.h"
+#include "ui/shot/layer_subscription.h"
+#include "ui/shot/map_shot.h"
+#include "ui/shot/picture.h"
+#include "ui/shot/recall.h"
 #include "work/workers.h"
 
 namespace mapwright::replay {

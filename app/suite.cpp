@@ -20,11 +20,11 @@
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "shot/view_facts.h"
 #include "suite/judgement.h"
 #include "suite/junit.h"
 #include "suite/outcome.h"
 #include "suite/suite_page.h"
+#include "ui/shot/view_facts.h"
 #include "words/text.h"
 
 namespace mapwright::app {

@@ -21,9 +21,9 @@
 #include "net/rosbridge/frame.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
-#include "scene/layer.h"
 #include "sentences/absence_sentence.h"
 #include "ui/kit/status_text.h"
+#include "ui/scene/layer.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

@@ -16,7 +16,7 @@
 
 #include "clouds/cloud_store.h"
 #include "clouds/draw_cloud.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include <QScrollBar>
 #include <benchmark/benchmark.h>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 namespace {
 

@@ -16,8 +16,8 @@
 #include <benchmark/benchmark.h>
 #include <spng.h>
 
-#include "scene/map_scene.h"
 #include "session/session_options.h"
+#include "ui/scene/map_scene.h"
 
 namespace {
 

@@ -13,10 +13,10 @@
 
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_paste.h"
-#include "scene/map_scene.h"
 #include "ui/overlays/overlay_tool.h"
 #include "ui/overlays/overlays_dock.h"
 #include "ui/overlays/overlays_on_map.h"
+#include "ui/scene/map_scene.h"
 
 namespace {
 

@@ -20,12 +20,12 @@
 #include "picture/tidy.h"
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
-#include "scene/map_scene.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/picture/picture_tool.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 
 #include "robot/ros/kabam_plan.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/hit_list.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_warnings.h"

@@ -12,7 +12,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace mapwright::test {
 

@@ -23,7 +23,7 @@
 #include "ui/replay/replay_controller.h"
 #include "ui/shell/replay_clock.h"
 #include "ui/slam/disagreement_dock.h"
-#include "window/window_parts.h"
+#include "ui/window/window_parts.h"
 
 namespace test_guide_pictures {
 

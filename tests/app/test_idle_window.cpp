@@ -20,7 +20,7 @@
 #include "ui/shell/replay_clock.h"
 #include "ui/view/map_view.h"
 #include "ui/view/replay_state.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace test_idle_window {
 

@@ -15,9 +15,9 @@
 #include "app/snapshot_run.h"
 #include "app/suite_quality.h"
 #include "robot/pose_graph_source.h"
-#include "scene/layer.h"
-#include "scene/map_theme.h"
 #include "test_program.h"
+#include "ui/scene/layer.h"
+#include "ui/scene/map_theme.h"
 
 namespace test_snapshot_content {
 

@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "agreement/survey.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_agreement_layer {
 

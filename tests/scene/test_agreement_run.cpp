@@ -2,9 +2,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "scene/agreement_run.h"
 #include "submaps.h"
 #include "test_program.h"
+#include "ui/scene/agreement_run.h"
 
 namespace test_agreement_run {
 

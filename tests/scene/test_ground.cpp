@@ -10,8 +10,8 @@
 #include <QWindow>
 
 #include "fake_robot.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_ground {
 

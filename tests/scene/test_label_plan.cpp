@@ -4,8 +4,8 @@
 
 #include <QtTest>
 
-#include "scene/label_plan.h"
 #include "test_program.h"
+#include "ui/scene/label_plan.h"
 
 namespace test_label_plan {
 

@@ -9,9 +9,9 @@
 #include <QTest>
 
 #include "fake_robot.h"
-#include "scene/drawing.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_labels {
 

@@ -6,11 +6,11 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "scene/label_ink.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
-#include "scene/track.h"
 #include "test_program.h"
+#include "ui/scene/label_ink.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
+#include "ui/scene/track.h"
 
 namespace test_layers {
 

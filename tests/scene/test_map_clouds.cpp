@@ -5,9 +5,9 @@
 #include <QtTest>
 
 #include "clouds/cloud_store.h"
-#include "scene/clouds_layer.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/scene/clouds_layer.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_map_clouds {
 

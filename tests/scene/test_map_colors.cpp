@@ -7,10 +7,10 @@
 
 #include "render/grid_palettes.h"
 #include "render/sample_grid.h"
-#include "scene/map_theme.h"
-#include "scene/track.h"
 #include "seen_color.h"
 #include "test_program.h"
+#include "ui/scene/map_theme.h"
+#include "ui/scene/track.h"
 
 namespace test_map_colors {
 

@@ -6,9 +6,9 @@
 #include <QTest>
 
 #include "fake_robot.h"
-#include "scene/map_scene.h"
-#include "scene/problem_marks.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
+#include "ui/scene/problem_marks.h"
 
 namespace test_problem_marks {
 

@@ -7,8 +7,8 @@
 #include "fake_dispatch.h"
 #include "fake_robot.h"
 #include "regions/region_map.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_regions_layer {
 

@@ -1,8 +1,8 @@
 // Painting leaves time to those who decode what is to be painted.
 #include <QTest>
 
-#include "scene/repaint_pace.h"
 #include "test_program.h"
+#include "ui/scene/repaint_pace.h"
 
 namespace test_repaint_pace {
 

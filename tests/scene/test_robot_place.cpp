@@ -5,8 +5,8 @@
 #include <QTest>
 
 #include "fake_robot.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_robot_place {
 

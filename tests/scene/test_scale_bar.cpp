@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "scene/lengths.h"
 #include "test_program.h"
+#include "ui/scene/lengths.h"
 
 namespace test_scale_bar {
 

@@ -5,8 +5,8 @@
 #include <QTest>
 
 #include "map/submap_version.h"
-#include "scene/submap_classes.h"
 #include "test_program.h"
+#include "ui/scene/submap_classes.h"
 
 namespace test_submap_classes {
 

@@ -7,9 +7,9 @@
 #include <QPainter>
 #include <QTest>
 
-#include "scene/map_scene.h"
-#include "scene/track.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
+#include "ui/scene/track.h"
 
 namespace test_track_layer {
 

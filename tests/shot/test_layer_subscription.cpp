@@ -3,8 +3,8 @@
 
 #include "../session/fake_robot.h"
 #include "robot/offers_topics.h"
-#include "shot/layer_subscription.h"
 #include "test_program.h"
+#include "ui/shot/layer_subscription.h"
 
 namespace test_layer_subscription {
 

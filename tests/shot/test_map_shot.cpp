@@ -1,8 +1,8 @@
 // When a shot stops waiting, and what it says is lacking.
 #include <QTest>
 
-#include "shot/map_shot.h"
 #include "test_program.h"
+#include "ui/shot/map_shot.h"
 
 namespace test_map_shot {
 

@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "../session/fake_robot.h"
-#include "shot/picture.h"
 #include "test_program.h"
+#include "ui/shot/picture.h"
 
 namespace test_scene_picture {
 

@@ -10,8 +10,8 @@
 
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
-#include "window/diagnostics_dialog.h"
-#include "window/work_settings.h"
+#include "ui/window/diagnostics_dialog.h"
+#include "ui/window/work_settings.h"
 #include "window_bench.h"
 
 namespace test_window_diagnostics {

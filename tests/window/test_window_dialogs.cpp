@@ -19,9 +19,9 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/robot/connect_dialog.h"
-#include "window/command_palette.h"
-#include "window/go_to_dialog.h"
-#include "window/shortcut_sheet.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/go_to_dialog.h"
+#include "ui/window/shortcut_sheet.h"
 
 namespace test_window_dialogs {
 

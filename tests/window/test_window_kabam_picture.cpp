@@ -22,7 +22,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_parts.h"
 
 namespace test_window_kabam_picture {

@@ -21,7 +21,7 @@
 #include "ui/layers/layers_controller.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/layers/preset_menu.h"
-#include "window/command_palette.h"
+#include "ui/window/command_palette.h"
 #include "window_bench.h"
 #include "window_parts.h"
 

@@ -33,9 +33,9 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "ui/waypoints/waypoints_dock.h"
+#include "ui/window/layout_controller.h"
+#include "ui/window/main_window.h"
 #include "waypoints_desk.h"
-#include "window/layout_controller.h"
-#include "window/main_window.h"
 #include "window_bench.h"
 #include "window_parts.h"
 

@@ -12,7 +12,7 @@
 #include <QToolButton>
 
 #include "test_program.h"
-#include "window/manual_window.h"
+#include "ui/window/manual_window.h"
 #include "window_bench.h"
 
 namespace test_window_manual {

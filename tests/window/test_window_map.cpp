@@ -23,7 +23,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_bench.h"
 #include "window_parts.h"
 

@@ -12,8 +12,8 @@
 #include "ui/objects/properties_dock.h"
 #include "ui/plots/messages_dock.h"
 #include "ui/view/map_view.h"
+#include "ui/window/command_palette.h"
 #include "waypoints_desk.h"
-#include "window/command_palette.h"
 #include "window_bench.h"
 #include "window_parts.h"
 

@@ -24,7 +24,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_bench.h"
 #include "window_parts.h"
 

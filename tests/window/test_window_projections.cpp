@@ -17,7 +17,7 @@
 #include "ui/clouds/projections_dock.h"
 #include "ui/clouds/section_dock.h"
 #include "ui/view/map_view.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_parts.h"
 
 namespace test_window_projections {

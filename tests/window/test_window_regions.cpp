@@ -29,7 +29,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_parts.h"
 
 namespace test_window_regions {

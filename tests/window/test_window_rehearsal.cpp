@@ -5,11 +5,11 @@
 #include <QtTest>
 
 #include "reference_bench.h"
-#include "scene/map_scene.h"
 #include "test_program.h"
 #include "text_bag.h"
 #include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/rehearsal_dock.h"
+#include "ui/scene/map_scene.h"
 
 namespace test_window_rehearsal {
 

@@ -46,8 +46,8 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
-#include "window/layout_controller.h"
-#include "window/main_window.h"
+#include "ui/window/layout_controller.h"
+#include "ui/window/main_window.h"
 #include "window_parts.h"
 
 namespace test_window_replay {

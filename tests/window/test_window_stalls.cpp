@@ -13,7 +13,7 @@
 #include "ui/waypoints/waypoint_review.h"
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_parts.h"
 
 namespace test_window_stalls {

@@ -18,8 +18,8 @@
 #include "ui/view/measure_tool.h"
 #include "ui/view/notice_bar.h"
 #include "ui/waypoints/waypoint_text.h"
-#include "window/command_palette.h"
-#include "window/go_to_dialog.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/go_to_dialog.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 

@@ -12,7 +12,7 @@
 #include "known_addresses.h"
 #include "ui/slam/inspector_dock.h"
 #include "ui/view/map_view.h"
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 #include "window_parts.h"
 
 namespace mapwright::test {

@@ -5,10 +5,10 @@
 
 #include <QCheckBox>
 
-#include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/carry/carry_dock.h"
 #include "ui/kit/panels.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 

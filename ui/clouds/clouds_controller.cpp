@@ -7,8 +7,6 @@
 #include <QFileInfo>
 #include <QTimer>
 
-#include "scene/clouds_layer.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
@@ -22,6 +20,8 @@
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
+#include "ui/scene/clouds_layer.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/view/empty_state.h"

@@ -5,8 +5,8 @@
 #include "jobs/fetch_cloud.h"
 #include "robot/call.h"
 #include "robot/map_dispatch.h"
-#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {

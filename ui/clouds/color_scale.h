@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "scene/clouds_layer.h"
+#include "ui/scene/clouds_layer.h"
 
 namespace mapwright::window {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/lengths.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::window {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <QPushButton>
 
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
@@ -14,6 +13,7 @@
 #include "ui/clouds/section_view.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/panels.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"

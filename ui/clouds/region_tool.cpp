@@ -1,6 +1,6 @@
 #include "ui/clouds/region_tool.h"
 
-#include "scene/lengths.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::window {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scene/lengths.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::window {
 

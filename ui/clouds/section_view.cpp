@@ -9,9 +9,9 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "scene/drawing.h"
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/scene/drawing.h"
 
 namespace mapwright::window {
 namespace {

@@ -6,7 +6,7 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 class QColorDialog;
 class QComboBox;

@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "robot/offers_topics.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 

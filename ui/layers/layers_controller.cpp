@@ -3,7 +3,6 @@
 #include <QActionGroup>
 #include <QLineEdit>
 
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
@@ -14,6 +13,7 @@
 #include "ui/layers/layers_dock.h"
 #include "ui/layers/legend_dock.h"
 #include "ui/layers/preset_menu.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"

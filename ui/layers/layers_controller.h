@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "scene/map_scene.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/controller.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/on_screen.h"
 

@@ -15,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include "robot/robot.h"
-#include "scene/layer_reason.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -25,6 +24,7 @@
 #include "ui/layers/fold_header.h"
 #include "ui/layers/layer_row.h"
 #include "ui/layers/layer_settings.h"
+#include "ui/scene/layer_reason.h"
 
 namespace mapwright::window {
 

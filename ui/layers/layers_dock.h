@@ -10,7 +10,7 @@
 #include <QPointer>
 
 #include "robot/offers_topics.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 class QFrame;
 class QLabel;

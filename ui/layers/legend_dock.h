@@ -8,8 +8,8 @@
 #include <QPointer>
 
 #include "grids/grid_cells.h"
-#include "scene/map_scene.h"
 #include "session/session.h"
+#include "ui/scene/map_scene.h"
 
 class QScrollArea;
 

@@ -3,11 +3,11 @@
 #include <QEvent>
 #include <QFileDialog>
 
-#include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"

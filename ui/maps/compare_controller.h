@@ -9,9 +9,9 @@
 #include <tl/expected.hpp>
 
 #include "robot/robot.h"
-#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
 #include "ui/maps/map_files.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/compare_bar.h"
 

@@ -26,7 +26,6 @@
 
 #include "cells/cell_texture.h"
 #include "robot/address.h"
-#include "scene/map_scene.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "submap/submap_store.h"
@@ -36,6 +35,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"

@@ -4,7 +4,6 @@
 
 #include "map/whereabouts.h"
 #include "regions/region_map.h"
-#include "scene/map_scene.h"
 #include "sentences/problem_sentence.h"
 #include "session/lacks_picture.h"
 #include "session/session.h"
@@ -12,6 +11,7 @@
 #include "ui/kit/panels.h"
 #include "ui/maps/map_files.h"
 #include "ui/maps/maps_dock.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"

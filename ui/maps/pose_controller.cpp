@@ -6,7 +6,6 @@
 
 #include "jobs/set_pose.h"
 #include "robot/localization.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "session/session.h"
@@ -15,6 +14,7 @@
 #include "ui/kit/panels.h"
 #include "ui/maps/pose_dock.h"
 #include "ui/maps/pose_tool.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"

@@ -13,7 +13,6 @@
 #include <QUndoCommand>
 
 #include "align/alignment_sentence.h"
-#include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -26,6 +25,7 @@
 #include "ui/kit/undo_stacks.h"
 #include "ui/maps/reference_dock.h"
 #include "ui/maps/reference_tool.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"

@@ -16,8 +16,6 @@
 #include <QStandardItemModel>
 #include <QTableView>
 
-#include "scene/lengths.h"
-#include "scene/map_theme.h"
 #include "sentences/plural.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
@@ -28,6 +26,8 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
 #include "ui/maps/walls_off_marks.h"
+#include "ui/scene/lengths.h"
+#include "ui/scene/map_theme.h"
 #include "words/fixed.h"
 
 namespace mapwright::window {

@@ -14,7 +14,7 @@
 #include "align/walls_off.h"
 #include "geometry/pose.h"
 #include "render/sample_grid.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "work/workers.h"
 
 namespace mapwright::window {

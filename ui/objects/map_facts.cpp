@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
-#include "scene/lengths.h"
 #include "ui/kit/status_text.h"
+#include "ui/scene/lengths.h"
 #include "words/decimal.h"
 
 namespace mapwright::window {

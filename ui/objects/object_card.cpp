@@ -4,12 +4,12 @@
 
 #include <QGridLayout>
 
-#include "scene/map_scene.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/objects/object_facts.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 namespace {

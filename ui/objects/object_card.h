@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "scene/map_object.h"
+#include "ui/scene/map_object.h"
 
 class QGridLayout;
 

@@ -5,10 +5,10 @@
 #include <QCoreApplication>
 #include <QTimeZone>
 
-#include "scene/lengths.h"
 #include "submap/submap_store.h"
 #include "ui/kit/status_text.h"
 #include "ui/objects/map_facts.h"
+#include "ui/scene/lengths.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
 

@@ -8,8 +8,8 @@
 #include <QString>
 
 #include "grids/cell_counts.h"
-#include "scene/map_object.h"
 #include "session/session.h"
+#include "ui/scene/map_object.h"
 
 namespace mapwright::window {
 

@@ -5,7 +5,6 @@
 #include <QElapsedTimer>
 #include <QMenu>
 
-#include "scene/map_scene.h"
 #include "sentences/plural.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
@@ -18,6 +17,7 @@
 #include "ui/objects/object_facts.h"
 #include "ui/objects/objects_dock.h"
 #include "ui/objects/properties_dock.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/view/map_overlay.h"

@@ -11,9 +11,9 @@
 #include <QTimer>
 
 #include "grids/cell_counts.h"
-#include "scene/map_object.h"
-#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
+#include "ui/scene/map_object.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/map_tool.h"
 #include "work/workers.h"

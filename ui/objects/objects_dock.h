@@ -5,7 +5,7 @@
 
 #include <QDockWidget>
 
-#include "scene/map_object.h"
+#include "ui/scene/map_object.h"
 
 class QLineEdit;
 class QSortFilterProxyModel;

@@ -7,13 +7,13 @@
 #include <QStandardItemModel>
 #include <QTableView>
 
-#include "scene/map_scene.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
 #include "ui/objects/object_facts.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <QDockWidget>
 
-#include "scene/map_object.h"
+#include "ui/scene/map_object.h"
 
 class QLabel;
 class QPushButton;

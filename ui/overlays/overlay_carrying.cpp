@@ -6,10 +6,10 @@
 
 #include "overlays/overlay_shapes.h"
 #include "robot/overlay_store.h"
-#include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 

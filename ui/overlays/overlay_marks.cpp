@@ -6,9 +6,9 @@
 #include <QPainter>
 
 #include "overlays/overlay_shapes.h"
-#include "scene/drawing.h"
-#include "scene/map_theme.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::window {
 namespace {

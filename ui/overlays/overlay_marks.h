@@ -13,8 +13,8 @@
 #include "overlays/overlay_document.h"
 #include "overlays/overlay_merge.h"
 #include "overlays/overlay_reach.h"
-#include "scene/drawn_waypoint.h"
-#include "scene/map_scene.h"
+#include "ui/scene/drawn_waypoint.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 

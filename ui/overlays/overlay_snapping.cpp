@@ -8,8 +8,8 @@
 #include <QPainter>
 
 #include "grids/grid_pyramid.h"
-#include "scene/drawing.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/drawing.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {

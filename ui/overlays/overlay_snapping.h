@@ -9,9 +9,9 @@
 #include <QSettings>
 
 #include "overlays/overlay_snap.h"
-#include "scene/map_scene.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_on_map.h"
+#include "ui/scene/map_scene.h"
 
 class QPainter;
 

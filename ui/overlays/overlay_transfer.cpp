@@ -8,12 +8,12 @@
 #include <QMimeData>
 
 #include "overlays/overlay_paste.h"
-#include "scene/drawing.h"
-#include "scene/map_scene.h"
 #include "sentences/fault_sentence.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "overlays/drawn_parts.h"
-#include "scene/drawing.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/drawing.h"
 
 namespace mapwright::window {
 

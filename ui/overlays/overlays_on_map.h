@@ -10,8 +10,8 @@
 
 #include "edit/overlays/overlay_editing.h"
 #include "overlays/overlay_shapes.h"
-#include "scene/map_scene.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 

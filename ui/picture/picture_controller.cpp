@@ -10,7 +10,6 @@
 #include <QUrl>
 
 #include "map/waypoint.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
@@ -21,6 +20,7 @@
 #include "ui/kit/undo_stacks.h"
 #include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_dock.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"

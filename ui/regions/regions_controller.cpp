@@ -15,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include "jobs/change_map.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "session/session.h"
@@ -26,6 +25,7 @@
 #include "ui/regions/map_fetch.h"
 #include "ui/regions/rectangle_tool.h"
 #include "ui/regions/regions_text.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/viewpoint.h"

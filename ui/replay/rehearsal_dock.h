@@ -7,7 +7,7 @@
 #include <QPen>
 
 #include "carry/rehearsal.h"
-#include "scene/map_theme.h"
+#include "ui/scene/map_theme.h"
 
 class QLabel;
 class QPushButton;

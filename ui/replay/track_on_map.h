@@ -5,7 +5,7 @@
 #include <QTimer>
 
 #include "geometry/rect.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 

@@ -1,4 +1,4 @@
-#include "reporting/gathering.h"
+#include "ui/reporting/gathering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,9 +15,9 @@
 #include "map/failure.h"
 #include "replay/replay_robot.h"
 #include "session/session.h"
-#include "shot/map_shot.h"
-#include "shot/picture.h"
-#include "shot/recall.h"
+#include "ui/shot/map_shot.h"
+#include "ui/shot/picture.h"
+#include "ui/shot/recall.h"
 #include "work/workers.h"
 
 namespace mapwright::reporting {

@@ -1,4 +1,4 @@
-#include "reporting/report_job.h"
+#include "ui/reporting/report_job.h"
 
 #include <utility>
 
@@ -7,8 +7,8 @@
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reporting/gathering.h"
 #include "sentences/fault_sentence.h"
+#include "ui/reporting/gathering.h"
 
 namespace mapwright::reporting {
 namespace {

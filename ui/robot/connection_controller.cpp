@@ -8,7 +8,6 @@
 #include <QPushButton>
 
 #include "robot/second_server.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
@@ -20,6 +19,7 @@
 #include "ui/robot/certificate_dialog.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/robot_look.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"

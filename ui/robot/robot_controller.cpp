@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "map/whereabouts.h"
-#include "scene/map_scene.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
@@ -12,6 +11,7 @@
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
 #include "ui/robot/robot_dock.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"

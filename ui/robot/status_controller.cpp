@@ -1,7 +1,7 @@
 #include "ui/robot/status_controller.h"
 
-#include "scene/map_scene.h"
 #include "session/session.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/window_status_bar.h"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "agreement/heat.h"
-#include "scene/legend.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/agreement_run.h"
+#include "ui/scene/agreement_run.h"
 
 #include <algorithm>
 

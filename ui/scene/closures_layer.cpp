@@ -2,8 +2,8 @@
 #include <array>
 
 #include "map/closures.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/clouds_layer.h"
+#include "ui/scene/clouds_layer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "clouds/draw_cloud.h"
-#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "clouds/cloud_store.h"
 #include "render/raster_tiles.h"
-#include "scene/layer.h"
-#include "scene/map_theme.h"
+#include "ui/scene/layer.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::scene {
 

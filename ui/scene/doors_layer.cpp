@@ -1,6 +1,6 @@
 #include "map/live_topics.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

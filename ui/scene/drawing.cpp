@@ -1,4 +1,4 @@
-#include "scene/drawing.h"
+#include "ui/scene/drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <QRawFont>
 #include <QTextLayout>
 
-#include "scene/label_font.h"
+#include "ui/scene/label_font.h"
 
 namespace mapwright::scene {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "geometry/view_transform.h"
 #include "render/raster_tiles.h"
-#include "scene/map_theme.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::scene {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/legend.h"
-#include "scene/lengths.h"
+#include "ui/scene/legend.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/ground_item.h"
+#include "ui/scene/ground_item.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
-#include "scene/layer_item.h"
+#include "ui/scene/layer_item.h"
 
 namespace mapwright::scene {
 

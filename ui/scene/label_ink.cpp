@@ -1,10 +1,10 @@
-#include "scene/label_ink.h"
+#include "ui/scene/label_ink.h"
 
 #include <cmath>
 
 #include <QFontMetricsF>
 
-#include "scene/drawing.h"
+#include "ui/scene/drawing.h"
 
 namespace mapwright::scene {
 namespace {

@@ -10,7 +10,7 @@
 #include <QSizeF>
 #include <QString>
 
-#include "scene/map_theme.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::scene {
 

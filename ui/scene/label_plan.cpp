@@ -1,4 +1,4 @@
-#include "scene/label_plan.h"
+#include "ui/scene/label_plan.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "scene/labels.h"
+#include "ui/scene/labels.h"
 
 #include <algorithm>
 #include <iterator>
@@ -6,7 +6,7 @@
 
 #include <QStyleOptionGraphicsItem>
 
-#include "scene/layer_item.h"
+#include "ui/scene/layer_item.h"
 
 namespace mapwright::scene {
 

@@ -13,9 +13,9 @@
 #include <QString>
 
 #include "geometry/view_transform.h"
-#include "scene/label_ink.h"
-#include "scene/label_plan.h"
-#include "scene/map_theme.h"
+#include "ui/scene/label_ink.h"
+#include "ui/scene/label_plan.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::scene {
 

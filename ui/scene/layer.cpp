@@ -1,4 +1,4 @@
-#include "scene/layer.h"
+#include "ui/scene/layer.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,8 +7,8 @@
 
 #include "robot/robot.h"
 #include "robot/slam_file.h"
-#include "scene/layer_reason.h"
 #include "sentences/absence_sentence.h"
+#include "ui/scene/layer_reason.h"
 
 namespace mapwright::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/layer_item.h"
+#include "ui/scene/layer_item.h"
 
 #include <algorithm>
 #include <cmath>

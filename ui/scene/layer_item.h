@@ -26,14 +26,14 @@
 #include "map/submap.h"
 #include "regions/region_map.h"
 #include "render/raster_tiles.h"
-#include "scene/drawing.h"
-#include "scene/drawn_waypoint.h"
-#include "scene/labels.h"
-#include "scene/layer.h"
-#include "scene/map_object.h"
-#include "scene/map_theme.h"
-#include "scene/problem_marks.h"
-#include "scene/track.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/drawn_waypoint.h"
+#include "ui/scene/labels.h"
+#include "ui/scene/layer.h"
+#include "ui/scene/map_object.h"
+#include "ui/scene/map_theme.h"
+#include "ui/scene/problem_marks.h"
+#include "ui/scene/track.h"
 
 namespace mapwright::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/layer_objects.h"
+#include "ui/scene/layer_objects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "geometry/polyline.h"
 #include "map/live_topics.h"
-#include "scene/scene_items.h"
+#include "ui/scene/scene_items.h"
 #include "words/fixed.h"
 
 namespace mapwright::scene {

@@ -9,9 +9,9 @@
 
 #include <QCoreApplication>
 
-#include "scene/layer_item.h"
-#include "scene/map_object.h"
-#include "scene/problem_marks.h"
+#include "ui/scene/layer_item.h"
+#include "ui/scene/map_object.h"
+#include "ui/scene/problem_marks.h"
 
 namespace mapwright::session {
 class Session;

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "scene/layer.h"
+#include "ui/scene/layer.h"
 
 namespace mapwright::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/legend.h"
+#include "ui/scene/legend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include "render/grid_palettes.h"
 #include "render/sample_grid.h"
 #include "robot/robot.h"
-#include "scene/layer_reason.h"
-#include "scene/map_scene.h"
-#include "scene/scene_items.h"
+#include "ui/scene/layer_reason.h"
+#include "ui/scene/map_scene.h"
+#include "ui/scene/scene_items.h"
 
 namespace mapwright::scene {
 namespace {

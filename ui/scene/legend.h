@@ -13,9 +13,9 @@
 #include "map/live_state.h"
 #include "render/grid_renderer.h"
 #include "render/tile_colors.h"
-#include "scene/layer_item.h"
-#include "scene/legend_section.h"
 #include "session/session.h"
+#include "ui/scene/layer_item.h"
+#include "ui/scene/legend_section.h"
 
 namespace mapwright::scene {
 

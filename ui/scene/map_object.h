@@ -11,7 +11,7 @@
 
 #include "geometry/rect.h"
 #include "map/live_topics.h"
-#include "scene/layer.h"
+#include "ui/scene/layer.h"
 
 namespace mapwright::scene {
 

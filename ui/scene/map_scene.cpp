@@ -1,4 +1,4 @@
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +7,12 @@
 
 #include "cells/cell_texture.h"
 #include "grids/grid_pyramid.h"
-#include "scene/layer_objects.h"
-#include "scene/scene_items.h"
-#include "scene/submap_classes.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "submap/submap_store.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/scene_items.h"
+#include "ui/scene/submap_classes.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/map_theme.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::scene {
 namespace {

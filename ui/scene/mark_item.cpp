@@ -3,10 +3,10 @@
 
 #include <QLineF>
 
-#include "scene/drawing.h"
-#include "scene/label_ink.h"
-#include "scene/layer_item.h"
-#include "scene/layer_objects.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/label_ink.h"
+#include "ui/scene/layer_item.h"
+#include "ui/scene/layer_objects.h"
 
 namespace mapwright::scene {
 namespace {

@@ -6,7 +6,7 @@
 #include <QFontMetricsF>
 #include <QHashFunctions>
 
-#include "scene/legend.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

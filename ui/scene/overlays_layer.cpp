@@ -5,9 +5,9 @@
 #include <QPainterPath>
 
 #include "map/live_topics.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
 #include "sentences/overlay_name.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,7 +1,7 @@
 // The planned path to the target.
 #include "map/live_topics.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

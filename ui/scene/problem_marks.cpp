@@ -1,4 +1,4 @@
-#include "scene/problem_marks.h"
+#include "ui/scene/problem_marks.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-#include "scene/raster_stack.h"
+#include "ui/scene/raster_stack.h"
 
 #include <algorithm>
 

@@ -10,8 +10,8 @@
 #include <QObject>
 
 #include "render/grid_renderer.h"
-#include "scene/layer_item.h"
 #include "session/session.h"
+#include "ui/scene/layer_item.h"
 
 namespace mapwright::session {
 struct LayerGrid;

@@ -6,8 +6,8 @@
 
 #include "robot/map_dispatch.h"
 #include "robot/robot.h"
-#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

@@ -6,9 +6,9 @@
 #include "grids/grid_pyramid.h"
 #include "map/live_topics.h"
 #include "render/grid_palettes.h"
-#include "scene/legend.h"
-#include "scene/raster_stack.h"
 #include "session/layer_grids.h"
+#include "ui/scene/legend.h"
+#include "ui/scene/raster_stack.h"
 
 namespace mapwright::scene {
 namespace {

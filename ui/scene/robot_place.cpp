@@ -1,4 +1,4 @@
-#include "scene/robot_place.h"
+#include "ui/scene/robot_place.h"
 
 #include <algorithm>
 

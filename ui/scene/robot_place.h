@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "map/whereabouts.h"
-#include "scene/layer.h"
+#include "ui/scene/layer.h"
 
 namespace mapwright::session {
 class Session;

@@ -4,8 +4,8 @@
 #include <QFontMetricsF>
 #include <QLocale>
 
-#include "scene/layer_item.h"
-#include "scene/lengths.h"
+#include "ui/scene/layer_item.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/scene_items.h"
+#include "ui/scene/scene_items.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 #include "geometry/polyline.h"
 #include "grids/grid_pyramid.h"
 #include "regions/region_sheet.h"
-#include "scene/lengths.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::scene {
 namespace {

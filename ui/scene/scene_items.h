@@ -7,12 +7,12 @@
 #include <set>
 #include <vector>
 
-#include "scene/drawn_overlays.h"
-#include "scene/ground_item.h"
-#include "scene/labels.h"
-#include "scene/layer_item.h"
-#include "scene/raster_stack.h"
-#include "scene/robot_place.h"
+#include "ui/scene/drawn_overlays.h"
+#include "ui/scene/ground_item.h"
+#include "ui/scene/labels.h"
+#include "ui/scene/layer_item.h"
+#include "ui/scene/raster_stack.h"
+#include "ui/scene/robot_place.h"
 
 class QGraphicsScene;
 

@@ -1,4 +1,4 @@
-#include "scene/submap_classes.h"
+#include "ui/scene/submap_classes.h"
 
 #include <algorithm>
 #include <bit>

@@ -4,13 +4,13 @@
 
 #include "render/compositor.h"
 #include "render/tile_renderer.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
-#include "scene/submap_classes.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "submap/row_version.h"
 #include "submap/submap_store.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
+#include "ui/scene/submap_classes.h"
 
 namespace mapwright::scene {
 namespace {

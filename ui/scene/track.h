@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <QString>
 
-#include "scene/layer.h"
+#include "ui/scene/layer.h"
 
 namespace mapwright::scene {
 

@@ -5,10 +5,10 @@
 #include <QFontMetricsF>
 #include <QLinearGradient>
 
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
-#include "scene/lengths.h"
-#include "scene/track.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
+#include "ui/scene/lengths.h"
+#include "ui/scene/track.h"
 
 namespace mapwright::scene {
 namespace {

@@ -1,7 +1,7 @@
 // The path along which the map was made: of the robot, or of an opened map.
 #include "map/live_topics.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

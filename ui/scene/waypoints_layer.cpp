@@ -5,9 +5,9 @@
 #include <unordered_set>
 
 #include "robot/robot.h"
-#include "scene/layer_objects.h"
-#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
+#include "ui/scene/layer_objects.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 namespace {

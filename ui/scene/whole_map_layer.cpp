@@ -1,7 +1,7 @@
 // The whole map, and the reference map under it. RasterStack draws them.
 #include "robot/robot.h"
-#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
+#include "ui/scene/legend.h"
 
 namespace mapwright::scene {
 

@@ -8,8 +8,8 @@
 
 #include "replay/replay_robot.h"
 #include "robot/has_capability.h"
-#include "scene/map_scene.h"
 #include "session/session_options.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/on_screen.h"
 
 namespace mapwright::window {

@@ -1,4 +1,4 @@
-#include "shot/layer_subscription.h"
+#include "ui/shot/layer_subscription.h"
 
 #include <algorithm>
 #include <iterator>

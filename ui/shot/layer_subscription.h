@@ -10,8 +10,8 @@
 #include <QStringList>
 
 #include "map/live_topics.h"
-#include "scene/layer.h"
 #include "session/session.h"
+#include "ui/scene/layer.h"
 
 namespace mapwright::shot {
 

@@ -1,4 +1,4 @@
-#include "shot/map_shot.h"
+#include "ui/shot/map_shot.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "shot/picture.h"
+#include "ui/shot/picture.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,8 +11,8 @@
 #include "disk/written_file.h"
 #include "grids/png_writer.h"
 #include "jobs/export_map.h"
-#include "scene/agreement_run.h"
 #include "submap/submap_store.h"
+#include "ui/scene/agreement_run.h"
 #include "work/budgets.h"
 
 namespace mapwright::shot {

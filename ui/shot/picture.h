@@ -16,9 +16,9 @@
 #include "regions/region_map.h"
 #include "render/compositor.h"
 #include "render/sample_grid.h"
-#include "scene/map_scene.h"
-#include "scene/track.h"
 #include "session/session.h"
+#include "ui/scene/map_scene.h"
+#include "ui/scene/track.h"
 #include "work/workers.h"
 
 namespace mapwright::scene {

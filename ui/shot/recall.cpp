@@ -1,4 +1,4 @@
-#include "shot/recall.h"
+#include "ui/shot/recall.h"
 
 namespace mapwright::shot {
 

@@ -1,11 +1,11 @@
-#include "shot/view_facts.h"
+#include "ui/shot/view_facts.h"
 
 #include <QCryptographicHash>
 
 #include "grids/grid_pyramid.h"
 #include "replay/replay_robot.h"
-#include "scene/layer.h"
 #include "submap/submap_store.h"
+#include "ui/scene/layer.h"
 
 namespace mapwright::shot {
 namespace {

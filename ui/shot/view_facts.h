@@ -2,8 +2,8 @@
 #pragma once
 
 #include "session/session.h"
-#include "shot/picture.h"
 #include "suite/facts.h"
+#include "ui/shot/picture.h"
 
 namespace mapwright::shot {
 

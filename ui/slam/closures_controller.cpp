@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "robot/robot.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
 #include "session/session.h"
 #include "ui/kit/panels.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/slam/closures_dock.h"
 #include "ui/view/map_view.h"

@@ -3,10 +3,10 @@
 
 #include <QPointer>
 
-#include "scene/layer.h"
-#include "scene/map_object.h"
 #include "session/session.h"
 #include "ui/kit/controller.h"
+#include "ui/scene/layer.h"
+#include "ui/scene/map_object.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {

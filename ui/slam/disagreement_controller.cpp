@@ -9,13 +9,13 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 
-#include "scene/agreement_run.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "submap/submap_store.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
+#include "ui/scene/agreement_run.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/slam/disagreement_dock.h"

@@ -10,8 +10,8 @@
 #include <QString>
 #include <QTimer>
 
-#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 #include "ui/slam/submap_stepper.h"
 #include "ui/slam/work_pace.h"

@@ -6,13 +6,13 @@
 #include <QMenu>
 #include <QRegularExpression>
 
-#include "scene/map_scene.h"
 #include "session/session.h"
 #include "submap/submap_store.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/findings.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"

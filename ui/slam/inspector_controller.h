@@ -1,9 +1,9 @@
 // The SLAM inspector, and submaps on the map.
 #pragma once
 
-#include "scene/map_scene.h"
 #include "ui/kit/controller.h"
 #include "ui/kit/findings.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {

@@ -7,7 +7,7 @@
 #include <QDockWidget>
 #include <QPointer>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "ui/slam/submap_tree_model.h"
 
 class QAction;

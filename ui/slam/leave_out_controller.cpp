@@ -16,7 +16,6 @@
 #include <QStandardPaths>
 
 #include "robot/slam_file.h"
-#include "scene/map_scene.h"
 #include "sentences/plural.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
@@ -26,6 +25,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/slam/closures_model.h"
 

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 namespace {

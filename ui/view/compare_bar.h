@@ -6,7 +6,7 @@
 #include <QFrame>
 #include <QPointer>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 
 class QComboBox;
 class QToolButton;

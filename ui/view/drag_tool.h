@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "geometry/rect.h"
-#include "scene/drawing.h"
-#include "scene/map_scene.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {

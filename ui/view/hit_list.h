@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geometry/rect.h"
-#include "scene/layer.h"
-#include "scene/map_scene.h"
+#include "ui/scene/layer.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 

@@ -10,7 +10,7 @@
 #include <QTimer>
 
 #include "geometry/view_transform.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_tool.h"
 
 class QGestureEvent;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "geometry/polyline.h"
-#include "scene/lengths.h"
 #include "ui/kit/status_text.h"
+#include "ui/scene/lengths.h"
 
 namespace mapwright::window {
 

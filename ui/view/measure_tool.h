@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {

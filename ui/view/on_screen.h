@@ -7,8 +7,8 @@
 #include <QString>
 
 #include "robot/address.h"
-#include "scene/map_scene.h"
 #include "session/session.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/empty_state.h"
 
 namespace mapwright::window {

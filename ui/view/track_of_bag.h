@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "replay/reading.h"
-#include "scene/track.h"
+#include "ui/scene/track.h"
 
 namespace mapwright::window {
 

@@ -5,9 +5,9 @@
 #include <QMenu>
 
 #include "geometry/pose.h"
-#include "scene/map_scene.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/mirror_tool.h"

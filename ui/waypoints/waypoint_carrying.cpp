@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
-#include "scene/map_scene.h"
 #include "sentences/failure_sentence.h"
+#include "ui/scene/map_scene.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_transfer.h"
 #include "ui/waypoints/waypoint_warnings.h"

@@ -12,14 +12,14 @@
 #include <QPushButton>
 
 #include "geometry/pose.h"
-#include "scene/drawing.h"
-#include "scene/map_scene.h"
 #include "session/lacks_picture.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/view/map_view.h"

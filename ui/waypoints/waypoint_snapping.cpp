@@ -10,8 +10,8 @@
 
 #include "geometry/pose.h"
 #include "grids/grid_pyramid.h"
-#include "scene/drawing.h"
-#include "scene/lengths.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/lengths.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {

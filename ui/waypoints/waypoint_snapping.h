@@ -9,7 +9,7 @@
 #include <QSettings>
 
 #include "placing/snap.h"
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/hit_list.h"
 
 namespace mapwright::window {

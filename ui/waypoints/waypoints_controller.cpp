@@ -6,8 +6,6 @@
 #include <QMenu>
 
 #include "edit/open_waypoints.h"
-#include "scene/drawing.h"
-#include "scene/map_scene.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/lacks_picture.h"
@@ -17,6 +15,8 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
+#include "ui/scene/drawing.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/hit_list.h"
 #include "ui/view/map_overlay.h"

@@ -9,12 +9,12 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "scene/drawn_waypoint.h"
 #include "sentences/placing_sentence.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/name_order.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/scene/drawn_waypoint.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_warnings.h"
 #include "words/fixed.h"

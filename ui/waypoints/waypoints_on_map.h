@@ -9,7 +9,7 @@
 
 #include <QObject>
 
-#include "scene/map_scene.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/hit_list.h"
 #include "ui/waypoints/waypoint_editing.h"
 

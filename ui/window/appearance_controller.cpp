@@ -1,11 +1,11 @@
-#include "window/appearance_controller.h"
+#include "ui/window/appearance_controller.h"
 
 #include <QActionGroup>
 #include <QApplication>
 #include <QEvent>
 
-#include "scene/map_scene.h"
 #include "ui/kit/actions.h"
+#include "ui/scene/map_scene.h"
 
 namespace mapwright::window {
 

@@ -1,4 +1,4 @@
-#include "window/command_palette.h"
+#include "ui/window/command_palette.h"
 
 #include <algorithm>
 

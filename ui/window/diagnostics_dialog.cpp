@@ -1,4 +1,4 @@
-#include "window/diagnostics_dialog.h"
+#include "ui/window/diagnostics_dialog.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>
@@ -11,7 +11,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
-#include "window/work_settings.h"
+#include "ui/window/work_settings.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {

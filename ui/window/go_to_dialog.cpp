@@ -1,4 +1,4 @@
-#include "window/go_to_dialog.h"
+#include "ui/window/go_to_dialog.h"
 
 #include <cmath>
 

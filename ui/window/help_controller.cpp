@@ -1,16 +1,16 @@
-#include "window/help_controller.h"
+#include "ui/window/help_controller.h"
 
 #include <QDialog>
 
-#include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
-#include "window/command_palette.h"
-#include "window/diagnostics_dialog.h"
-#include "window/manual_window.h"
-#include "window/shortcut_sheet.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/diagnostics_dialog.h"
+#include "ui/window/manual_window.h"
+#include "ui/window/shortcut_sheet.h"
 
 namespace mapwright::window {
 

@@ -1,4 +1,4 @@
-#include "window/layout_controller.h"
+#include "ui/window/layout_controller.h"
 
 #include <utility>
 

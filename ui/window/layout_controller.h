@@ -9,7 +9,7 @@
 
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
-#include "window/layouts.h"
+#include "ui/window/layouts.h"
 
 class QAction;
 

@@ -1,4 +1,4 @@
-#include "window/layouts.h"
+#include "ui/window/layouts.h"
 
 #include <algorithm>
 #include <iterator>

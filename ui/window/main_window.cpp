@@ -1,4 +1,4 @@
-#include "window/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -10,7 +10,6 @@
 #include <QMenuBar>
 #include <QScreen>
 
-#include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/projections_controller.h"
@@ -46,6 +45,7 @@
 #include "ui/robot/problems_controller.h"
 #include "ui/robot/robot_controller.h"
 #include "ui/robot/status_controller.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/focus_return.h"
 #include "ui/shell/notices.h"
@@ -64,11 +64,11 @@
 #include "ui/waypoints/edit_controller.h"
 #include "ui/waypoints/waypoint_carrying.h"
 #include "ui/waypoints/waypoints_controller.h"
-#include "window/appearance_controller.h"
-#include "window/help_controller.h"
-#include "window/layout_controller.h"
-#include "window/tool_bar.h"
-#include "window/view_controller.h"
+#include "ui/window/appearance_controller.h"
+#include "ui/window/help_controller.h"
+#include "ui/window/layout_controller.h"
+#include "ui/window/tool_bar.h"
+#include "ui/window/view_controller.h"
 
 namespace mapwright::window {
 

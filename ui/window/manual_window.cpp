@@ -1,4 +1,4 @@
-#include "window/manual_window.h"
+#include "ui/window/manual_window.h"
 
 #include <algorithm>
 #include <functional>

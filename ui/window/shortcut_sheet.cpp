@@ -1,4 +1,4 @@
-#include "window/shortcut_sheet.h"
+#include "ui/window/shortcut_sheet.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-#include "window/tool_bar.h"
+#include "ui/window/tool_bar.h"
 
 #include <utility>
 

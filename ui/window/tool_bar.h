@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <QToolBar>
 
-#include "window/layouts.h"
+#include "ui/window/layouts.h"
 
 namespace mapwright::window {
 

@@ -1,13 +1,13 @@
-#include "window/view_controller.h"
+#include "ui/window/view_controller.h"
 
 #include <QMenu>
 
 #include "robot/slam_file.h"
-#include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
+#include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
@@ -17,8 +17,8 @@
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
-#include "window/go_to_dialog.h"
-#include "window/panes.h"
+#include "ui/window/go_to_dialog.h"
+#include "ui/window/panes.h"
 
 namespace mapwright::window {
 

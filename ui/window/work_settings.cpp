@@ -1,4 +1,4 @@
-#include "window/work_settings.h"
+#include "ui/window/work_settings.h"
 
 #include <QCoreApplication>
 #include <QVariant>
