@@ -43,9 +43,14 @@ Pictures picturesOf(const Plan& plan, double cell_m) {
   open *= std::min(1.0, times * times);
   cv::min(open, 1.0, open);
   Pictures out;
-  cv::GaussianBlur(walls, out.worth, cv::Size(), 1.0, 1.0, cv::BORDER_CONSTANT);
-  out.worth *= 2.0;  // the ridge of a blurred line
-  cv::min(out.worth, 1.0, out.worth);
+  // Full on a wall and less beside it: a post is worth as much as a cell of a long wall.
+  constexpr double kBeside = 0.6, kAtCorner = 0.4;
+  cv::Mat_<float> beside;
+  out.worth = walls.clone();
+  cv::dilate(walls, beside, cv::getStructuringElement(cv::MORPH_CROSS, cv::Size(3, 3)));
+  out.worth = cv::max(out.worth, kBeside * beside);
+  cv::dilate(walls, beside, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(3, 3)));
+  out.worth = cv::max(out.worth, kAtCorner * beside);
   cv::Mat_<float> against;
   cv::multiply(open, 1.0 - out.worth, against);
   out.worth -= kFreeWeight * against;

@@ -138,6 +138,21 @@ std::vector<Plan> sites() {
   return all;
 }
 
+/// 24 m x 20 m of free ground with posts in rows, some of them missing; no wall is in sight.
+Plan posts(Chance& chance) {
+  Plan plan;
+  plan.width = 480;
+  plan.height = 400;
+  plan.resolution_m = 0.05;
+  plan.cells.assign(std::size_t(plan.width) * std::size_t(plan.height), Ground::Free);
+  for (int row = 20; row < plan.height; row += 60) {
+    for (int column = 20; column < plan.width; column += 48) {
+      if (!chance.happens(0.25)) fill(plan, column, row, column + 1, row + 1, Ground::Wall);
+    }
+  }
+  return plan;
+}
+
 /// A small site whose halves look alike after half a turn, and where it really lies.
 struct TwoWays {
   Plan site, again;
@@ -186,6 +201,15 @@ class TestAlignment : public QObject {
     QCOMPARE(wrong, 0);
     // Nine of ten where a person would be sure.
     QVERIFY(10 * sure >= 9 * expected);
+  }
+
+  void postsAloneAreFound() {
+    Chance chance(1);
+    const Plan site = posts(chance);
+    const Pose2 truth{7, -3, 1.2};
+    const Plan again = mappedAgain(cropped(noisy(site, chance, 0, 0.0005), chance, 0.7), truth, 0.05);
+    const Alignment found = *align::alignPlans(noisy(site, chance, 0, 0.0005), again);
+    QVERIFY(right(found.best->transform, truth, site));
   }
 
   void onePairDecidesBetweenTwoWays() {
