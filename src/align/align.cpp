@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "align/disputed.h"
 #include "align/each.h"
 #include "align/fit.h"
 #include "align/sheet.h"
@@ -21,6 +22,8 @@ using geometry::Pose2;
 constexpr std::size_t kMiddlePlaces = 12;
 constexpr Thoroughness kUsual{160, 80}, kMirrored{120, 40};
 constexpr std::size_t kMiddlePoints = 800, kCandidatePoints = 2'500, kFinePoints = 8'000;
+constexpr double kClose = 0.7;  // of the best score: another place agrees nearly as well
+
 struct Ranked {
   Pose2 pose;
   Quality quality;
@@ -132,21 +135,29 @@ Agreement agreementOn(const Plan& old_map, const Plan& new_map, const Sheets& sh
   return out;
 }
 
-/// The best agreement with the old map moved 0.5 to 4 m to any side, or along the motion that the walls hold
-/// least, a turn too: high along a corridor, and between round walls.
-double slidScore(const Sheets& sheets, const Points& points, const Pose2& pose) {
-  double best = 0;
+/// The old map moved 0.5 to 4 m to any side, or along the motion that the walls hold least, a turn too: along
+/// a corridor, or between round walls.
+std::vector<Pose2> slid(const Sheets& sheets, const Points& points, const Pose2& pose) {
+  std::vector<Pose2> out;
   const Motion weakest = weakestMotion(sheets, points, pose);
   for (const double by : {0.5, 1.0, 2.0, 4.0}) {
     for (int side = 0; side < 16; ++side) {
       const double towards = side * std::numbers::pi / 8;
-      const Motion motion{{std::cos(towards), std::sin(towards)}, 0};
-      best = std::max(best, qualityOf(sheets, points, movedBy(pose, points, motion, by)).score());
+      out.push_back(movedBy(pose, points, {{std::cos(towards), std::sin(towards)}, 0}, by));
     }
-    for (const double way : {by, -by})
-      best = std::max(best, qualityOf(sheets, points, movedBy(pose, points, weakest, way)).score());
+    for (const double way : {by, -by}) out.push_back(movedBy(pose, points, weakest, way));
   }
-  return best;
+  return out;
+}
+
+/// Whether it fits about as well when it is slid along.
+bool slides(const Sheets& sheets, const Points& points, const Ranked& best) {
+  const Points fewer = pointsOf(sheets, kFinePoints / 4);
+  const std::vector<Pose2> others = slid(sheets, fewer, best.pose);
+  return std::any_of(others.begin(), others.end(), [&](const Pose2& other) {
+    return qualityOf(sheets, fewer, other).score() > kClose * best.quality.score() &&
+           !refutesSecond(disputedBetween(sheets, points, laid(best.pose), laid(other)));
+  });
 }
 
 Plan mirroredPlan(const Plan& plan) {
@@ -258,25 +269,58 @@ bool hasWalls(const Plan& plan) {
   return std::find(plan.cells.begin(), plan.cells.end(), Ground::Wall) != plan.cells.end();
 }
 
+/// Another place that agrees as well, unless it is refuted by walls that only the best one explains.
+bool ambiguous(const Sheets& sheets, const Points& points, const std::vector<Ranked>& found) {
+  constexpr double kLess = 0.6;  // where the maps overlap less, but what they share fits better
+  const Ranked& best = found.front();
+  const double score = best.quality.score();
+  return std::any_of(found.begin() + 1, found.end(), [&](const Ranked& other) {
+    const double others = other.quality.score();
+    const bool as_good = others > kClose * score ||
+                         (others > kLess * score && other.quality.agreement > best.quality.agreement);
+    return as_good && !refutesSecond(disputedBetween(sheets, points, laid(best.pose), laid(other.pose)));
+  });
+}
+
+/// Much better when the new map is mirrored; or in a building that is nearly its own mirror image, better
+/// where the two differ.
+bool mirroredFitsBetter(const Plan& new_map, const Sheets& sheets, const Points& points, const Ranked& best,
+                        const std::optional<Ranked>& mirrored) {
+  constexpr double kBetter = 0.05, kDisputed_m = 2;
+  if (!mirrored) return false;
+  const double score = best.quality.score(), other = mirrored->quality.score();
+  if (other > score + kBetter) return true;
+  if (other <= kClose * score) return false;
+  const double twice_axis_m = 2 * new_map.corner_m.x() + new_map.width * new_map.resolution_m;
+  const Disputed disputed =
+      disputedBetween(sheets, points, laid(best.pose), laidMirrored(mirrored->pose, twice_axis_m));
+  return disputed.for_second_m > std::max(kDisputed_m, disputed.for_first_m);
+}
+
+bool bent(const Agreement& agreement) {
+  constexpr double kShifted = 0.15;
+  const double shifted = double(agreement.shifted) / double(std::max<std::size_t>(agreement.squares, 1));
+  return agreement.shifted > 1 && shifted > kShifted;
+}
+
 /// The best and the second best of `found`, and what speaks against the best.
 void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheets& fine,
-           const std::vector<Ranked>& found, double mirrored, bool by_pair) {
-  constexpr double kGood = 0.4, kClose = 0.7, kOverlap = 0.2, kSeen = 0.25, kMirrored = 0.05, kBent = 0.15;
+           const std::vector<Ranked>& found, const std::optional<Ranked>& mirrored, bool by_pair) {
+  constexpr double kGood = 0.4, kOverlap = 0.2, kSeen = 0.25;
   if (found.empty() || !(found[0].quality.score() > 0)) return;
-  const double score = found[0].quality.score(), second = found.size() > 1 ? found[1].quality.score() : 0;
-  out.best = Candidate{found[0].pose, score};
-  if (found.size() > 1) out.second = Candidate{found[1].pose, second};
-  out.agreement = agreementOn(old_map, new_map, fine, found[0].pose);
-  const bool slides =
-      !by_pair && slidScore(fine, pointsOf(fine, kFinePoints / 4), found[0].pose) > kClose * score;
-  const double bent = double(out.agreement.shifted) / double(std::max<std::size_t>(out.agreement.squares, 1));
-  out.doubt = out.agreement.overlap < kOverlap || found[0].quality.seen < kSeen ? Doubt::LittleSeen
-              : !by_pair && mirrored > score + kMirrored                        ? Doubt::Mirrored
-              : score < kGood                                                   ? Doubt::Poor
-              : second > kClose * score                                         ? Doubt::Ambiguous
-              : slides                                                          ? Doubt::Slides
-              : out.agreement.shifted > 1 && bent > kBent                       ? Doubt::Bent
-                                                                                : Doubt::None;
+  const Ranked& best = found.front();
+  const double score = best.quality.score();
+  out.best = Candidate{best.pose, score};
+  if (found.size() > 1) out.second = Candidate{found[1].pose, found[1].quality.score()};
+  out.agreement = agreementOn(old_map, new_map, fine, best.pose);
+  const Points points = pointsOf(fine, kFinePoints);
+  out.doubt = out.agreement.overlap < kOverlap || best.quality.seen < kSeen           ? Doubt::LittleSeen
+              : !by_pair && mirroredFitsBetter(new_map, fine, points, best, mirrored) ? Doubt::Mirrored
+              : score < kGood                                                         ? Doubt::Poor
+              : ambiguous(fine, points, found)                                        ? Doubt::Ambiguous
+              : !by_pair && slides(fine, points, best)                                ? Doubt::Slides
+              : bent(out.agreement)                                                   ? Doubt::Bent
+                                                                                      : Doubt::None;
 }
 
 }  // namespace
@@ -303,13 +347,13 @@ std::optional<Alignment> alignPlans(const Plan& old_full, const Plan& new_full, 
   if (cancelled) return std::nullopt;
   const bool by_pair = options.pairs.size() == 1;
   if (by_pair) found = throughPair(fine, std::move(found), options.pairs.front());
-  double mirrored = 0;
+  std::optional<Ranked> mirrored;
   if (!found.empty()) {
     const Plan mirror = mirroredPlan(new_map);
     const std::vector<Ranked> others =
         searched(old_map, mirror, Sheets{Sheet(old_map), Sheet(mirror)}, kMirrored, tasks, step(0.6, 0.95));
     if (cancelled) return std::nullopt;
-    if (!others.empty()) mirrored = others[0].quality.score();
+    if (!others.empty()) mirrored = others.front();
   }
   judge(out, old_map, new_map, fine, found, mirrored, by_pair);
   if (by_pair && out.best) out.pair_residuals_m = leftAt(options.pairs, out.best->transform);

@@ -32,6 +32,7 @@ Points pointsOf(const Sheets& sheets, std::size_t most);
 class Mover {
  public:
   explicit Mover(const geometry::Pose2& pose);
+  Mover(const Eigen::Matrix2d& turn, const Eigen::Vector2d& by) : turn_(turn), by_(by) {}
   Eigen::Vector2d operator()(const Eigen::Vector2d& p) const { return turn_ * p + by_; }
 
  private:

@@ -153,6 +153,26 @@ Plan posts(Chance& chance) {
   return plan;
 }
 
+/// A row of rooms that are alike beside a corridor, and a hall at its end.
+constexpr int kSuite = 76;  // cells
+Plan suites(int count) {
+  constexpr int kDeep = 100, kCorridor = 40, kHall = 110;
+  Plan plan;
+  plan.width = count * kSuite + kHall;
+  plan.height = kDeep + kCorridor;
+  plan.resolution_m = 0.05;
+  plan.cells.assign(std::size_t(plan.width) * std::size_t(plan.height), Ground::Wall);
+  fill(plan, 2, kDeep, count * kSuite, plan.height - 3, Ground::Free);
+  fill(plan, count * kSuite, 30, plan.width - 3, plan.height - 3, Ground::Free);
+  for (int room = 0; room < count; ++room) {
+    const int left = room * kSuite + 2;
+    fill(plan, left, 2, left + kSuite - 4, kDeep - 3, Ground::Free);
+    fill(plan, left + 10, kDeep - 2, left + 28, kDeep - 1, Ground::Free);
+    fill(plan, left + 40, 2, left + 60, 30, Ground::Wall);
+  }
+  return plan;
+}
+
 /// A small site whose halves look alike after half a turn, and where it really lies.
 struct TwoWays {
   Plan site, again;
@@ -270,6 +290,24 @@ class TestAlignment : public QObject {
     PointPair shifted = one, shifted_other = other;
     for (PointPair* const pair : {&shifted, &shifted_other}) pair->in_world_m += Eigen::Vector2d(1.3, 0.9);
     QCOMPARE(doubt(shifted, shifted_other), Doubt::PairsAgainstWalls);
+  }
+
+  void ofARepeatingBuildingTheEndsDecide() {
+    Chance chance(2);
+    const Plan site = suites(7);
+    const Pose2 truth{-11, 4, 2.1};
+    const auto mapped = [&](const Plan& plan) { return noisy(plan, chance, 0.1, 0.001); };
+    const Alignment whole = *align::alignPlans(mapped(site), mappedAgain(mapped(site), truth, 0.05));
+    QVERIFY(whole.second->score > 0.7 * whole.best->score);
+    QCOMPARE(whole.doubt, Doubt::None);
+    QVERIFY(right(whole.best->transform, truth, site));
+    // Rooms 1 to 4 and 3 to 6, without the ends: they fit in several ways.
+    Plan first = mapped(site), last = mapped(site);
+    fill(first, 0, 0, kSuite - 20, first.height, Ground::Unknown);
+    fill(first, 5 * kSuite - 20, 0, first.width, first.height, Ground::Unknown);
+    fill(last, 0, 0, 3 * kSuite - 20, last.height, Ground::Unknown);
+    fill(last, 7 * kSuite - 20, 0, last.width, last.height, Ground::Unknown);
+    QCOMPARE(align::alignPlans(first, mappedAgain(last, truth, 0.05))->doubt, Doubt::Ambiguous);
   }
 
   void aBentMapIsNotSure() {
