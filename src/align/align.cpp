@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "align/bend.h"
 #include "align/disputed.h"
 #include "align/each.h"
 #include "align/fit.h"
@@ -297,10 +298,10 @@ bool mirroredFitsBetter(const Plan& new_map, const Sheets& sheets, const Points&
   return disputed.for_second_m > std::max(kDisputed_m, disputed.for_first_m);
 }
 
-bool bent(const Agreement& agreement) {
-  constexpr double kShifted = 0.15;
+bool bent(const Agreement& agreement, const Bend& bend) {
+  constexpr double kShifted = 0.15, kBend_m = 0.03, kGain = 0.007;
   const double shifted = double(agreement.shifted) / double(std::max<std::size_t>(agreement.squares, 1));
-  return agreement.shifted > 1 && shifted > kShifted;
+  return (agreement.shifted > 1 && shifted > kShifted) || (bend.off_m > kBend_m && bend.gain > kGain);
 }
 
 /// The best and the second best of `found`, and what speaks against the best.
@@ -319,7 +320,7 @@ void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheet
               : score < kGood                                                         ? Doubt::Poor
               : ambiguous(fine, points, found)                                        ? Doubt::Ambiguous
               : !by_pair && slides(fine, points, best)                                ? Doubt::Slides
-              : bent(out.agreement)                                                   ? Doubt::Bent
+              : bent(out.agreement, bendOf(fine, points, best.pose))                  ? Doubt::Bent
                                                                                       : Doubt::None;
 }
 

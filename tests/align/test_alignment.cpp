@@ -310,14 +310,21 @@ class TestAlignment : public QObject {
     QCOMPARE(align::alignPlans(first, mappedAgain(last, truth, 0.05))->doubt, Doubt::Ambiguous);
   }
 
+  void aBentMapIsNotSure_data() {
+    QTest::addColumn<int>("cells");
+    QTest::newRow("10 cm") << 2;
+    QTest::newRow("30 cm") << 6;
+  }
+
   void aBentMapIsNotSure() {
+    QFETCH(int, cells);
     Chance chance(9);
     const Plan plain = building(chance), site = furnished(plain, chance, 10);
-    // The right half has been mapped 30 cm higher.
+    // The right half has been mapped that much higher.
     Plan bent = site;
-    for (int row = 6; row < bent.height; ++row) {
+    for (int row = cells; row < bent.height; ++row) {
       for (int column = bent.width / 2; column < bent.width; ++column)
-        cellOf(bent, column, row) = site.at(column, row - 6);
+        cellOf(bent, column, row) = site.at(column, row - cells);
     }
     QCOMPARE(align::alignPlans(site, mappedAgain(bent, {3, 4, 0.8}, 0.05))->doubt, Doubt::Bent);
   }
