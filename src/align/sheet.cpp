@@ -77,6 +77,8 @@ std::optional<Sheet::Distance> Sheet::distanceAt(const Eigen::Vector2d& world_m)
   const double d10 = distance_(y + 1, x), d11 = distance_(y + 1, x + 1);
   Distance out;
   out.metres = (d00 * (1 - u) + d01 * u) * (1 - v) + (d10 * (1 - u) + d11 * u) * v;
+  // Where nothing is known a wall may be missing because nobody saw it.
+  if (out.metres > kReach_m && known_(y + (v >= 0.5), x + (u >= 0.5)) == 0) return std::nullopt;
   out.slope =
       Eigen::Vector2d((d01 - d00) * (1 - v) + (d11 - d10) * v, (d10 - d00) * (1 - u) + (d11 - d01) * u) /
       resolution_m_;

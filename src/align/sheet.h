@@ -25,7 +25,8 @@ class Sheet {
     double metres;
     Eigen::Vector2d slope;  // its gradient
   };
-  /// To the nearest wall; nullopt where the map knows nothing within kReach_m.
+  /// To the nearest wall; nullopt where the map knows nothing within kReach_m, and on unknown ground that is
+  /// farther than that from all walls.
   std::optional<Distance> distanceAt(const Eigen::Vector2d& world_m) const;
   bool knownAt(const Eigen::Vector2d& world_m) const;
 

@@ -377,6 +377,16 @@ class TestAlignment : public QObject {
     QVERIFY(std::abs(shifted.forward.p95_m - 0.2) < 0.03);
   }
 
+  void wallsBeyondTheSeenGroundDoNotCount() {
+    const Plan site = corridor(6);
+    // One wall of it, and a little ground before it, were not seen.
+    Plan part = site;
+    fill(part, 0, part.height - 5, part.width, part.height, Ground::Unknown);
+    const align::Agreement agreement = align::agreementOf(site, part, {});
+    QCOMPARE(agreement.forward.within_10cm, 1.0);
+    QVERIFY(agreement.forward.seen_share < 0.6);
+  }
+
   void whereTheMapsDifferIsListed() {
     Plan room;
     room.width = room.height = 240;
