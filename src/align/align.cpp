@@ -298,10 +298,12 @@ bool mirroredFitsBetter(const Plan& new_map, const Sheets& sheets, const Points&
   return disputed.for_second_m > std::max(kDisputed_m, disputed.for_first_m);
 }
 
-bool bent(const Agreement& agreement, const Bend& bend) {
-  constexpr double kShifted = 0.15, kBend_m = 0.03, kGain = 0.007;
+bool bent(const Agreement& agreement, const Bend& bend, double cell_m) {
+  constexpr double kShifted = 0.15;
   const double shifted = double(agreement.shifted) / double(std::max<std::size_t>(agreement.squares, 1));
-  return (agreement.shifted > 1 && shifted > kShifted) || (bend.off_m > kBend_m && bend.gain > kGain);
+  // Coarse cells, fewer too, are bent a little by furniture alone.
+  const double coarse = std::max(1.0, cell_m / 0.05), least_m = 0.03 * coarse, gain = 0.007 * coarse * coarse;
+  return (agreement.shifted > 1 && shifted > kShifted) || (bend.off_m > least_m && bend.gain > gain);
 }
 
 /// The best and the second best of `found`, and what speaks against the best.
@@ -315,12 +317,13 @@ void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheet
   if (found.size() > 1) out.second = Candidate{found[1].pose, found[1].quality.score()};
   out.agreement = agreementOn(old_map, new_map, fine, best.pose);
   const Points points = pointsOf(fine, kFinePoints);
+  const double cell_m = std::max(old_map.resolution_m, new_map.resolution_m);
   out.doubt = out.agreement.overlap < kOverlap || best.quality.seen < kSeen           ? Doubt::LittleSeen
               : !by_pair && mirroredFitsBetter(new_map, fine, points, best, mirrored) ? Doubt::Mirrored
               : score < kGood                                                         ? Doubt::Poor
               : ambiguous(fine, points, found)                                        ? Doubt::Ambiguous
               : !by_pair && slides(fine, points, best)                                ? Doubt::Slides
-              : bent(out.agreement, bendOf(fine, points, best.pose))                  ? Doubt::Bent
+              : bent(out.agreement, bendOf(fine, points, best.pose), cell_m)          ? Doubt::Bent
                                                                                       : Doubt::None;
 }
 
