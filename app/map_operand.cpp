@@ -77,6 +77,8 @@ CommandResult<RobotReading*> connectTo(RobotCommand& command, const MapOperand& 
         Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(place.resolution)));
   // Of submaps it is the resolution of what is made of them, not of a file.
   const std::string of_file = stateFileOf(operand.address) ? std::string() : place.resolution;
+  // Of two maps only one may need it: the other one says itself where it is.
+  if (noPlaceReason(operand.address, of_file, place.origin)) return command.open(purpose, operand.address);
   return command.open(purpose, placedFile(operand.address, of_file, place.origin));
 }
 
