@@ -104,6 +104,11 @@ class NewMapTest : public QObject {
     QVERIFY(program_->bytes("d.png").startsWith("\x89PNG"));
   }
 
+  void onlyThePictureNeedsAResolution() {
+    const tests::Ended found = run(QStringLiteral("maps align before.yaml after.pgm --resolution 0.05"));
+    QVERIFY2(found.code == 0, qPrintable(found.err + found.out));
+  }
+
   void anotherSiteIsNotSureAndNothingIsChosen() {
     Chance chance(77);
     const Plan plain = testing::building(chance);
