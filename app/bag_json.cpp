@@ -140,8 +140,8 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
     rows.push_back({Text::tr("compression"),
                     Text::tr("%1, chunks: %2, %3 of %4")
                         .arg(one.compression.empty() ? Text::tr("none") : words::plainName(one.compression),
-                             QString::number(one.parts), window::bytesText(one.stored_bytes),
-                             window::bytesText(one.unpacked_bytes))});
+                             QString::number(one.parts), ui::bytesText(one.stored_bytes),
+                             ui::bytesText(one.unpacked_bytes))});
   if (info.attachments > 0) rows.push_back({Text::tr("files"), QString::number(info.attachments)});
   if (info.interrupted)
     rows.push_back(

@@ -15,9 +15,9 @@ namespace {
 
 const QString kFileScheme = QStringLiteral("file:");
 
-reporting::ReportOrder::Part partOf(const QString& address, const std::string& bag, const RobotAccess& access,
-                                    std::optional<double> at_s) {
-  reporting::ReportOrder::Part part;
+ui::reporting::ReportOrder::Part partOf(const QString& address, const std::string& bag,
+                                        const RobotAccess& access, std::optional<double> at_s) {
+  ui::reporting::ReportOrder::Part part;
   part.robot = [address, access] { return makeRobot(address, access.forAddress(address), DemoTime::Frozen); };
   part.bag.name = bag;
   part.any_kind = true;
@@ -48,7 +48,7 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
   if (!access) return wrong(access.error());
   const auto at_s = timeIn(args, address, args.name, args.at, QStringLiteral("--at"));
   if (!at_s) return passOn(at_s);
-  reporting::ReportOrder order{partOf(address, args.name, *access, *at_s), std::nullopt, path};
+  ui::reporting::ReportOrder order{partOf(address, args.name, *access, *at_s), std::nullopt, path};
   QStringList sources{address};
   if (!args.against.empty()) {
     OtherRun other = otherRunFrom(args.against);
@@ -76,14 +76,14 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
   if (const auto why = notTogetherReason({path, args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
 
-  reporting::ReportJob job(std::move(order), std::make_shared<work::Workers>());
+  ui::reporting::ReportJob job(std::move(order), std::make_shared<work::Workers>());
   ProgressLine progress;
   QEventLoop loop;
-  QObject::connect(&job, &reporting::ReportJob::progressed, &loop, [&](double share) {
+  QObject::connect(&job, &ui::reporting::ReportJob::progressed, &loop, [&](double share) {
     command.reportConnected();
     progress.tell(Text::tr("%1 % read").arg(int(share * 100)));
   });
-  QObject::connect(&job, &reporting::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);
+  QObject::connect(&job, &ui::reporting::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);
   job.start();
   loop.exec();
   progress.clear();

@@ -32,7 +32,7 @@ using words::text;
 
 QStringList rowOf(const robot::BagEntry& entry) {
   const QString size =
-      entry.size_bytes ? window::bytesText(*entry.size_bytes) : words::plainName(entry.size_text);
+      entry.size_bytes ? ui::bytesText(*entry.size_bytes) : words::plainName(entry.size_text);
   const QString end =
       entry.end_s ? incident::utcText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
   return {entry.key.kind == robot::BagKind::Recording ? Text::tr("recording") : Text::tr("bag"),
@@ -108,8 +108,8 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args
   const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
     robot::Call call = bags.library().download(key, path, std::move(reply));
     call.onProgress([line](robot::Progress progress) {
-      const QString bytes = window::bytesText(progress.bytes);
-      const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
+      const QString bytes = ui::bytesText(progress.bytes);
+      const QString of = progress.of_bytes ? ui::bytesText(*progress.of_bytes) : QStringLiteral("?");
       line->tell(Text::tr("%1 of %2").arg(bytes, of));
     });
     return call;
@@ -126,7 +126,7 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args
                           {QStringLiteral("bytes"), qint64(done->bytes)},
                           {QStringLiteral("resumed"), done->resumed}});
   } else {
-    printLine(QStringLiteral("%1: %2").arg(oneLine(done->path), window::bytesText(done->bytes)));
+    printLine(QStringLiteral("%1: %2").arg(oneLine(done->path), ui::bytesText(done->bytes)));
   }
   return kDone;
 }

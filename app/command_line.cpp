@@ -69,13 +69,13 @@ int benchmarks(const std::vector<std::string>& arguments) {
 int showWindow(const QString& address, const RobotAccess& known) {
   const std::unique_ptr<QSettings> settings = openSettings();
   const robot::Addresses addresses = knownAddresses();
-  const window::KeptWorkSettings kept = window::workSettingsIn(*settings);
+  const ui::KeptWorkSettings kept = ui::workSettingsIn(*settings);
   for (const QString& sentence : kept.nonsense) say(sentence);
-  window::MainWindow::Dependencies wanted{
+  ui::MainWindow::Dependencies wanted{
       [&](const QString& to, const QByteArray& typed_secret) {
         Access access = known.forAddress(to);
         if (!typed_secret.isEmpty()) access.secret = typed_secret;
-        const window::TrustedCertificates trusted(*settings);
+        const ui::TrustedCertificates trusted(*settings);
         const auto parsed = addresses.parse(to);
         if (parsed) access.trust.pinned_sha256 = net::fingerprintFrom(trusted.of(robot::hostOf(*parsed)));
         auto made = makeRobot(to, access, DemoTime::Running);
@@ -85,7 +85,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
         // A recording is viewed by playing it.
         if (made && parsed && !parsed->path.isEmpty() && isRecording(parsed->path))
           *made = std::make_unique<replay::ReplayRobot>(std::move(*made), bagNameOf(parsed->path),
-                                                        window::followedReading());
+                                                        ui::followedReading());
         return made;
       },
       *settings, address};
@@ -104,7 +104,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
   wanted.workers = std::make_shared<work::Workers>(kept.settings.threads);
   wanted.budgets = kept.settings.budgets();
   addLabelFont();
-  window::MainWindow main_window(std::move(wanted));
+  ui::MainWindow main_window(std::move(wanted));
   main_window.show();
   const int exit_code = QApplication::exec();
   settings->sync();

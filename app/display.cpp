@@ -106,7 +106,7 @@ OffscreenApplication::OffscreenApplication(int& argc, char** argv)
 
 void addLabelFont() {
   initFonts();
-  QFontDatabase::addApplicationFont(QString::fromLatin1(scene::kLabelFontFile));
+  QFontDatabase::addApplicationFont(QString::fromLatin1(ui::scene::kLabelFontFile));
 }
 
 bool haveDisplay() {

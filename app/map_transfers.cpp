@@ -38,8 +38,8 @@ CommandResult<robot::MapTransfer*> transferOf(RobotReading& reading) {
 
 void showProgress(const robot::Call& call, const std::shared_ptr<ProgressLine>& line) {
   call.onProgress([line](robot::Progress progress) {
-    const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
-    line->tell(Text::tr("%1 of %2").arg(window::bytesText(progress.bytes), of));
+    const QString of = progress.of_bytes ? ui::bytesText(*progress.of_bytes) : QStringLiteral("?");
+    line->tell(Text::tr("%1 of %2").arg(ui::bytesText(progress.bytes), of));
   });
 }
 
@@ -79,7 +79,7 @@ CommandResult<int> mapsDownload(RobotCommand& command, const TransferArguments& 
   } else {
     printLine(
         QStringLiteral("%1: %2, %3")
-            .arg(oneLine(done->folder), words::plainName(done->facts.name), window::bytesText(done->bytes)));
+            .arg(oneLine(done->folder), words::plainName(done->facts.name), ui::bytesText(done->bytes)));
   }
   if (!done->has_data)
     say(

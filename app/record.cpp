@@ -199,10 +199,9 @@ class RecordRun {
       say(Text::tr("Recording to %1 continues.").arg(order_.path));
     }
     told_ = now.written.fault;
-    QString line =
-        Text::tr("%1 s, %2, messages: %3")
-            .arg(QString::number(now.seconds, 'f', 0), window::bytesText(qint64(now.written.bytes)),
-                 QString::number(now.written.messages));
+    QString line = Text::tr("%1 s, %2, messages: %3")
+                       .arg(QString::number(now.seconds, 'f', 0), ui::bytesText(qint64(now.written.bytes)),
+                            QString::number(now.written.messages));
     if (now.written.lost > 0) line += Text::tr(", lost: %1").arg(now.written.lost);
     progress_.tell(line);
   }
@@ -245,8 +244,8 @@ class RecordRun {
     } else {
       printLine(Text::tr("%1: %2 s, %3, messages: %4, files: %5")
                     .arg(oneLine(order_.path), QString::number(done.seconds, 'f', 1),
-                         window::bytesText(qint64(done.written.bytes)),
-                         QString::number(done.written.messages), QString::number(done.written.files)));
+                         ui::bytesText(qint64(done.written.bytes)), QString::number(done.written.messages),
+                         QString::number(done.written.files)));
     }
     if (done.end_fault) {
       say(sentences::wordsOf(disk::notWritten(withPath(*done.end_fault))));
@@ -254,7 +253,7 @@ class RecordRun {
       say(*refused_);
     } else if (done.written.lost > 0) {
       say(Text::tr("Incomplete: messages were lost because the disk or this computer was too slow: %1 (%2).")
-              .arg(QString::number(done.written.lost), window::bytesText(qint64(done.written.lost_bytes))));
+              .arg(QString::number(done.written.lost), ui::bytesText(qint64(done.written.lost_bytes))));
     }
     for (const QString& topic : silent)
       say(Text::tr("Nothing arrived on %1: %2")

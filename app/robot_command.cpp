@@ -271,7 +271,7 @@ CommandResult<render::PlacedGrid> RobotReading::map(const QString& id, double re
       !isPlainId(map::mapKeyFromText(id.toStdString()).id))
     return failure(kUsage, Text::tr("%1: pass the id of a map (see mapwright maps list).").arg(oneLine(id)));
   if (id.isEmpty() || id == QLatin1String("live")) {
-    session_.want(QStringLiteral("command"), scene::layerStreams(scene::Layer::WholeMap));
+    session_.want(QStringLiteral("command"), ui::scene::layerStreams(ui::scene::Layer::WholeMap));
   }
   MapRequest request(session_, id, true);
   request.agreeToWhole();
@@ -301,7 +301,7 @@ std::optional<CommandFailure> RobotReading::recall(const std::string& at) {
   if (!at_s) return at_s.error();
   const QString outside = incident::notWithinReason(replayed->bag(), bag, *at_s, !local());
   if (!outside.isEmpty()) return CommandFailure{kUsage, outside};
-  shot::Recall recall(session_, *replayed);
+  ui::shot::Recall recall(session_, *replayed);
   recall.goTo(*at_s);
   const bool in_time = waitUntil([&] { return recall.in() || recall.failure(); });
   if (const auto failed = recall.failure()) return failure(*failed).value();

@@ -78,14 +78,14 @@ tl::expected<void, QString> onTopic(QString& word, robot::TopicChoices& topics) 
   const auto split = word.indexOf(QLatin1Char('='));
   if (split < 0) return {};
   const QString topic = word.mid(split + 1).trimmed(), name = word.left(split).trimmed();
-  const std::optional<scene::Layer> layer = scene::layerNamed(name);
+  const std::optional<ui::scene::Layer> layer = ui::scene::layerNamed(name);
   word = name;
   if (!layer) return {};  // reported below
-  const std::optional<map::Stream> stream = scene::chosenStream(*layer);
+  const std::optional<map::Stream> stream = ui::scene::chosenStream(*layer);
   if (!stream) {
     QStringList choosable;
-    for (const scene::Layer one : scene::allLayers()) {
-      if (scene::chosenStream(one)) choosable << scene::layerName(one);
+    for (const ui::scene::Layer one : ui::scene::allLayers()) {
+      if (ui::scene::chosenStream(one)) choosable << ui::scene::layerName(one);
     }
     return tl::make_unexpected(Text::tr("--layers: \"%1\" has no choice of topic, only %2.")
                                    .arg(name, choosable.join(QLatin1String(", "))));
@@ -99,25 +99,26 @@ tl::expected<void, QString> onTopic(QString& word, robot::TopicChoices& topics) 
 
 QStringList namesOfLayers() {
   QStringList names;
-  for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
+  for (const ui::scene::Layer layer : ui::scene::allLayers()) names << ui::scene::layerName(layer);
   return names;
 }
 
-tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, robot::TopicChoices& topics) {
-  using scene::Layer;
+tl::expected<std::set<ui::scene::Layer>, QString> parseLayers(const QString& args,
+                                                              robot::TopicChoices& topics) {
+  using ui::scene::Layer;
   // The layers that do not change from run to run.
-  if (args.isEmpty()) return scene::layersIn(scene::LayerSet::Snapshot);
-  const auto& every = scene::allLayers();
+  if (args.isEmpty()) return ui::scene::layersIn(ui::scene::LayerSet::Snapshot);
+  const auto& every = ui::scene::allLayers();
   std::set<Layer> chosen;
   if (args == QLatin1String("all")) {
     std::copy_if(every.begin(), every.end(), std::inserter(chosen, chosen.end()),
-                 [](Layer layer) { return scene::specOf(layer).in_all; });
+                 [](Layer layer) { return ui::scene::specOf(layer).in_all; });
     return chosen;
   }
   if (args == QLatin1String("none")) return chosen;
   for (QString word : args.split(QLatin1Char(','))) {
     if (const auto taken = onTopic(word, topics); !taken) return passOn(taken);
-    const std::optional<Layer> layer = scene::layerNamed(word.trimmed());
+    const std::optional<Layer> layer = ui::scene::layerNamed(word.trimmed());
     if (!layer) {
       return tl::make_unexpected(Text::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
                                      .arg(word, namesOfLayers().join(QLatin1String(", "))));
@@ -144,10 +145,10 @@ std::optional<QString> withoutEffectReason(const SnapshotArguments& args, const 
     return Text::tr("--raw has no colours: it cannot be combined with --theme or --colors.");
   }
   if (args.layers.empty()) return std::nullopt;
-  for (const scene::Layer layer : options.layers) {
-    if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
+  for (const ui::scene::Layer layer : options.layers) {
+    if (layer != ui::scene::Layer::Submaps && layer != ui::scene::Layer::WholeMap) {
       return Text::tr("--raw draws only the map, without the layer \"%1\" of --layers.")
-          .arg(scene::layerName(layer));
+          .arg(ui::scene::layerName(layer));
     }
   }
   return std::nullopt;
@@ -155,10 +156,10 @@ std::optional<QString> withoutEffectReason(const SnapshotArguments& args, const 
 
 QString layersHelp() {
   QStringList not_in_all;
-  for (const scene::Layer layer : scene::allLayers()) {
-    if (const char* const reason = scene::specOf(layer).not_in_all_reason)
+  for (const ui::scene::Layer layer : ui::scene::allLayers()) {
+    if (const char* const reason = ui::scene::specOf(layer).not_in_all_reason)
       not_in_all << Text::tr("%1, which %2")
-                        .arg(scene::layerName(layer), QCoreApplication::translate("scene", reason));
+                        .arg(ui::scene::layerName(layer), QCoreApplication::translate("scene", reason));
   }
   return Text::tr(
              "Layers, separated by commas: %1; or all (except %2); or none (only the map). NAME=TOPIC "
@@ -228,11 +229,11 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
 }  // namespace
 
 bool SnapshotOptions::wantsSubmaps() const {
-  return mode == SnapshotMode::Submaps || layers.contains(scene::Layer::Submaps);
+  return mode == SnapshotMode::Submaps || layers.contains(ui::scene::Layer::Submaps);
 }
 
 bool SnapshotOptions::wantsWhole() const {
-  return !region && (mode == SnapshotMode::Whole || layers.contains(scene::Layer::WholeMap));
+  return !region && (mode == SnapshotMode::Whole || layers.contains(ui::scene::Layer::WholeMap));
 }
 
 void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
@@ -420,8 +421,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
   if (const auto why = withoutEffectReason(args, options)) return wrong(*why);
   // Layers that --raw never draws are neither requested nor waited for.
   if (options.raw) {
-    std::erase_if(options.layers, [](scene::Layer layer) {
-      return layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap;
+    std::erase_if(options.layers, [](ui::scene::Layer layer) {
+      return layer != ui::scene::Layer::Submaps && layer != ui::scene::Layer::WholeMap;
     });
   }
   for (const QString& path : {options.output, options.report}) {

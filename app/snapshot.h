@@ -48,11 +48,11 @@ struct SnapshotOptions {
   double scale_m_per_px = 0;
   QSize size_px;
   double rotation_rad = 0;
-  std::set<scene::Layer>
+  std::set<ui::scene::Layer>
       layers;  // without Submaps and WholeMap, which follow from the mode unless both are named
-  std::set<scene::Layer> named;  // named one by one: a warning is printed if one of them stays empty
-  robot::TopicChoices topics;    // --layers NAME=TOPIC
-  bool robot_anyway = false;     // draw the robot also on a map that it is not in
+  std::set<ui::scene::Layer> named;  // named one by one: a warning is printed if one of them stays empty
+  robot::TopicChoices topics;        // --layers NAME=TOPIC
+  bool robot_anyway = false;         // draw the robot also on a map that it is not in
   int slice = 0;
   render::ColorMode colors = render::ColorMode::Normal;
   bool dark = false;

@@ -90,7 +90,7 @@ regions::RegionMap* RegionSnapshot::still() {
   return &fetch_->map();
 }
 
-std::optional<QString> RegionSnapshot::putInto(shot::RawContent& content) {
+std::optional<QString> RegionSnapshot::putInto(ui::shot::RawContent& content) {
   still();
   const regions::FetchedGrid fetched = regions::cutOut(regions().sheets(), rect_, regions::CutEdge::Touched);
   if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};

@@ -43,7 +43,7 @@ class RegionSnapshot {
   /// What has come of it; nothing more will change there.
   regions::RegionMap* still();
   /// Its cells; a sentence if parts of them cannot be drawn.
-  std::optional<QString> putInto(shot::RawContent& content);
+  std::optional<QString> putInto(ui::shot::RawContent& content);
   /// {"center", "lengths", …} of the report.
   QJsonObject json() const;
 

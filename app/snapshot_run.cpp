@@ -40,10 +40,10 @@ constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its stat
 constexpr double kNoteEveryS = 0.25;
 constexpr double kListWithinS = 8, kListAtLeastS = 3;  // if a whole map can be drawn instead
 
-using shot::Awaited;
-using shot::EndOfWaiting;
-using shot::Lack;
-using shot::Stage;
+using ui::shot::Awaited;
+using ui::shot::EndOfWaiting;
+using ui::shot::Lack;
+using ui::shot::Stage;
 
 /// Chooses the mode if the user has not, depending on what `robot` offers.
 SnapshotOptions decided(SnapshotOptions options, robot::Robot& robot) {
@@ -58,7 +58,7 @@ session::Session::Options sessionFor(const SnapshotOptions& options,
   session::Session::Options session = sessionOptions();
   session.workers = workers;
   session.overview = session.maps = false;  // a picture shows exact data, or none
-  session.basics = shot::LayerSubscription::basics(
+  session.basics = ui::shot::LayerSubscription::basics(
       options.layers, options.wantsSubmaps() || options.quality.disagreement_over.has_value());
   return session;
 }
@@ -76,15 +76,16 @@ QJsonValue secondsOrNull(std::optional<double> value) {
 }
 
 /// What is to be said about the robot in the picture.
-QStringList robotNotes(const scene::MapScene& scene, const session::Session& session) {
+QStringList robotNotes(const ui::scene::MapScene& scene, const session::Session& session) {
   QStringList of_robot;
-  for (const scene::Layer layer : scene::allLayers()) {
-    if (scene.layerVisible(layer) && scene::specOf(layer).follows_robot) of_robot << scene::layerName(layer);
+  for (const ui::scene::Layer layer : ui::scene::allLayers()) {
+    if (scene.layerVisible(layer) && ui::scene::specOf(layer).follows_robot)
+      of_robot << ui::scene::layerName(layer);
   }
   if (of_robot.isEmpty() || !scene.session()->robot().liveTopics()) return {};
-  const scene::RobotPlace& place = scene.robotPlace();
+  const ui::scene::RobotPlace& place = scene.robotPlace();
   const QString names = of_robot.join(QStringLiteral(", "));
-  if (place.drawn == scene::ScreenPart::None)
+  if (place.drawn == ui::scene::ScreenPart::None)
     return {
         Text::tr("The robot is not in this map. Left out: %1. Pass --robot-anyway to draw them.").arg(names)};
   if (place.by_choice) return {Text::tr("The robot is not in this map. Drawn anyway: %1.").arg(names)};
@@ -102,7 +103,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
       workers_(std::move(workers)),
       session_(std::move(robot), sessionFor(options_, workers_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
-           options_.layers.contains(scene::Layer::Waypoints)),
+           options_.layers.contains(ui::scene::Layer::Waypoints)),
       live_layers_(session_),
       start_(start),
       shot_({options_.timeout_s, options_.settle_s, start.grace.draw_s}) {
@@ -225,12 +226,12 @@ void SnapshotRun::awaitContent() {
   if (!options_.raw && options_.wantsWhole() && options_.map && options_.map->kind != map::MapKind::Live &&
       session_.robot().liveTopics() &&
       std::any_of(options_.layers.begin(), options_.layers.end(),
-                  [](scene::Layer layer) { return scene::specOf(layer).follows_robot; }))
+                  [](ui::scene::Layer layer) { return ui::scene::specOf(layer).follows_robot; }))
     shot_.await(Awaited::Whereabouts,
                 [this] { return !session_.catalogue().loading() || sinceConnected() >= kTopicsWithinS; });
   if (wantsWholeMap())
     shot_.await(Awaited::WholeMap, [this] {
-      const bool with_points = options_.layers.contains(scene::Layer::Waypoints);
+      const bool with_points = options_.layers.contains(ui::scene::Layer::Waypoints);
       return map_.grid() && session_.wholeMap().settled() &&
              !(with_points && session_.wholeMap().waypointsAwaited());
     });
@@ -254,7 +255,7 @@ bool SnapshotRun::needsSubmaps() {
 }
 
 bool SnapshotRun::wantsClosures() const {
-  return options_.layers.contains(scene::Layer::Closures) && session_.poseGraph().offered();
+  return options_.layers.contains(ui::scene::Layer::Closures) && session_.poseGraph().offered();
 }
 
 bool SnapshotRun::topicsChoosable() {
@@ -268,7 +269,7 @@ bool SnapshotRun::topicsChoosable() {
 
 bool SnapshotRun::drawsScansAlone() const {
   const auto& clouds = session_.live().clouds;
-  return automatic_ && !options_.map && !options_.raw && options_.layers.contains(scene::Layer::Cloud) &&
+  return automatic_ && !options_.map && !options_.raw && options_.layers.contains(ui::scene::Layer::Cloud) &&
          std::any_of(clouds.begin(), clouds.end(),
                      [](const auto& cloud) { return cloud.second && !cloud.second->empty(); });
 }
@@ -314,7 +315,7 @@ double SnapshotRun::listWithin() const {
 bool SnapshotRun::wantsWholeInstead() {
   robot::Robot& robot = session_.robot();
   const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
-                           options_.layers.contains(scene::Layer::Submaps);
+                           options_.layers.contains(ui::scene::Layer::Submaps);
   const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.submaps().listReceived();
   return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps && !listed &&
          sinceConnected() > listWithin() && robot.wholeMapSource() != nullptr;
@@ -442,7 +443,7 @@ void SnapshotRun::updateStanding() {
 }
 
 bool SnapshotRun::wantsTrack() const {
-  return replayed_ && !options_.raw && options_.layers.contains(scene::Layer::Track);
+  return replayed_ && !options_.raw && options_.layers.contains(ui::scene::Layer::Track);
 }
 
 bool SnapshotRun::lacksSubmaps() {
@@ -450,7 +451,7 @@ bool SnapshotRun::lacksSubmaps() {
 }
 
 bool SnapshotRun::wantsCloud() const {
-  return !replayed_ && !options_.raw && options_.layers.contains(scene::Layer::DispatchedCloud);
+  return !replayed_ && !options_.raw && options_.layers.contains(ui::scene::Layer::DispatchedCloud);
 }
 
 void SnapshotRun::askForCloud(const geometry::WorldRect& seen) {
@@ -531,7 +532,7 @@ geometry::ViewTransform SnapshotRun::chooseView() const {
     if (options_.wantsSubmaps()) bounds.extend(session_.contentBounds());
     const auto grid = wholeGrid();
     if (grid) bounds.extend(grid->reference.bounds());
-    if (bounds.empty() && options_.layers.contains(scene::Layer::Cloud)) {
+    if (bounds.empty() && options_.layers.contains(ui::scene::Layer::Cloud)) {
       for (const auto& [topic, cloud] : session_.live().clouds) {
         if (!cloud) continue;
         for (const map::CloudPoint& point : *cloud) bounds.extend(Eigen::Vector2d(point.x_m, point.y_m));
@@ -544,36 +545,36 @@ geometry::ViewTransform SnapshotRun::chooseView() const {
   return view;
 }
 
-shot::Look SnapshotRun::shown() const {
-  shot::Look look;
+ui::shot::Look SnapshotRun::shown() const {
+  ui::shot::Look look;
   look.view = view_;
   look.layers = options_.layers;
-  for (const auto& [layer, drawn] : {std::pair(scene::Layer::Submaps, options_.wantsSubmaps()),
-                                     std::pair(scene::Layer::WholeMap, options_.wantsWhole())}) {
+  for (const auto& [layer, drawn] : {std::pair(ui::scene::Layer::Submaps, options_.wantsSubmaps()),
+                                     std::pair(ui::scene::Layer::WholeMap, options_.wantsWhole())}) {
     if (drawn) look.layers.insert(layer);
     if (!drawn) look.layers.erase(layer);
   }
   look.dark = options_.dark;
   look.colors = options_.colors;
   // A submap without the chosen slice is complete: its picture stays the same unless the marks are asked for.
-  look.slices_marked = options_.named.contains(scene::Layer::Problems);
+  look.slices_marked = options_.named.contains(ui::scene::Layer::Problems);
   look.robot_anyway = options_.robot_anyway;
   return look;
 }
 
-std::unique_ptr<shot::Picture> SnapshotRun::makePicture(std::shared_ptr<const scene::Track> track) {
+std::unique_ptr<ui::shot::Picture> SnapshotRun::makePicture(std::shared_ptr<const ui::scene::Track> track) {
   if (!options_.raw) {
-    shot::Look look = shown();
-    if (!wholeGrid()) look.layers.erase(scene::Layer::WholeMap);
-    look.layers.erase(scene::Layer::Regions);
-    if (region_) look.layers.insert(scene::Layer::Regions);
+    ui::shot::Look look = shown();
+    if (!wholeGrid()) look.layers.erase(ui::scene::Layer::WholeMap);
+    look.layers.erase(ui::scene::Layer::Regions);
+    if (region_) look.layers.insert(ui::scene::Layer::Regions);
     if (region_) look.regions = region_->still();
     look.track = std::move(track);
     if (wantsCloud() && cloud_) look.cloud = cloud_->came;
-    return std::make_unique<shot::ScenePicture>(std::move(look), session_, workers_);
+    return std::make_unique<ui::shot::ScenePicture>(std::move(look), session_, workers_);
   }
   const bool whole = region_ || options_.mode == SnapshotMode::Whole;
-  shot::RawContent content = shot::rawContent(session_, view_, whole);
+  ui::shot::RawContent content = ui::shot::rawContent(session_, view_, whole);
   if (whole) content.grid = wholeGrid();
   if (region_) {
     if (const auto missing = region_->putInto(content)) {
@@ -581,11 +582,11 @@ std::unique_ptr<shot::Picture> SnapshotRun::makePicture(std::shared_ptr<const sc
       notes_ << *missing;
     }
   }
-  return shot::makeRawPicture(std::move(content), workers_);
+  return ui::shot::makeRawPicture(std::move(content), workers_);
 }
 
 bool SnapshotRun::waypointsLost() const {
-  if (options_.raw || !options_.wantsWhole() || !options_.layers.contains(scene::Layer::Waypoints))
+  if (options_.raw || !options_.wantsWhole() || !options_.layers.contains(ui::scene::Layer::Waypoints))
     return false;
   const auto& rows = session_.problems().rows();
   return std::any_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
@@ -595,7 +596,7 @@ bool SnapshotRun::waypointsLost() const {
 }
 
 bool SnapshotRun::overlaysLost() const {
-  if (options_.raw || !wholeGrid() || !options_.layers.contains(scene::Layer::Overlays)) return false;
+  if (options_.raw || !wholeGrid() || !options_.layers.contains(ui::scene::Layer::Overlays)) return false;
   const auto& notes = session_.wholeMap().shown().notes;
   return std::any_of(notes.begin(), notes.end(),
                      [](const map::Problem& note) { return note.code == map::ProblemCode::Unreadable; });
@@ -628,7 +629,7 @@ void SnapshotRun::draw(EndOfWaiting why) {
   // Drawing takes a while. Messages that arrive meanwhile must change neither the picture nor the report.
   session_.standStill();
   // Closing drops everything read from a bag.
-  const auto track = wantsTrack() ? window::trackOfBag(*replayed_->reading()) : nullptr;
+  const auto track = wantsTrack() ? ui::trackOfBag(*replayed_->reading()) : nullptr;
   const auto holes =
       wantsTrack() ? replayed_->reading()->chunks().holes(std::nextafter(*options_.at_s, HUGE_VAL), HUGE_VAL)
                    : std::vector<replay::Hole>();
@@ -648,7 +649,7 @@ void SnapshotRun::draw(EndOfWaiting why) {
   shot_.addIf(overlaysLost(), Lack::Overlays);
   shot_.addIf(region_ && !region_->complete(), Lack::Region);
   shot_.addIf(wantsCloud() && !(cloud_ && cloud_->came), Lack::Cloud);
-  if (options_.named.contains(scene::Layer::Closures) && !session_.poseGraph().offered()) {
+  if (options_.named.contains(ui::scene::Layer::Closures) && !session_.poseGraph().offered()) {
     shot_.add(Lack::PoseGraph);
     notes_ << Text::tr("Loop closures are not drawn.") + QLatin1Char(' ') +
                   sentences::absenceReason(robot::Capability::PoseGraph,
@@ -685,16 +686,16 @@ void SnapshotRun::draw(EndOfWaiting why) {
     if (replayed_) break;
     notes_ << Text::tr("Nothing arrived on topic %1 within %2 s.").arg(topic, passed(sinceConnected()));
   }
-  for (const scene::Layer layer : live_layers_.unfillable()) {
+  for (const ui::scene::Layer layer : live_layers_.unfillable()) {
     if (!options_.named.contains(layer)) continue;
     say((replayed_ ? Text::tr("Layer %1 is empty: the bag has no topic for it.")
                    : Text::tr("Layer %1 is empty: the robot has no topic for it."))
-            .arg(scene::layerName(layer)));
+            .arg(ui::scene::layerName(layer)));
   }
-  for (const scene::Layer layer : {scene::Layer::Coverage, scene::Layer::Disagreement}) {
+  for (const ui::scene::Layer layer : {ui::scene::Layer::Coverage, ui::scene::Layer::Disagreement}) {
     if (options_.wantsSubmaps() || !options_.named.contains(layer)) continue;
     say(Text::tr("Layer %1 is empty: it is about submaps, and a whole map is drawn (--mode submaps).")
-            .arg(scene::layerName(layer)));
+            .arg(ui::scene::layerName(layer)));
     shot_.add(Lack::Submaps);
   }
   const session::SubmapCounts& counts = chosen_->counts;
@@ -705,12 +706,13 @@ void SnapshotRun::draw(EndOfWaiting why) {
   updateStanding();
   Q_EMIT contentChosen();
   picture_ = makePicture(track);
-  connect(picture_.get(), &shot::Picture::finished, this, &SnapshotRun::write);
+  connect(picture_.get(), &ui::shot::Picture::finished, this, &SnapshotRun::write);
   picture_->start();
-  if (const auto* const drawn = dynamic_cast<const shot::ScenePicture*>(picture_.get())) noteDrawn(*drawn);
+  if (const auto* const drawn = dynamic_cast<const ui::shot::ScenePicture*>(picture_.get()))
+    noteDrawn(*drawn);
 }
 
-void SnapshotRun::noteDrawn(const shot::ScenePicture& drawn) {
+void SnapshotRun::noteDrawn(const ui::shot::ScenePicture& drawn) {
   notes_ += robotNotes(drawn.scene(), session_);
   if (!drawn.agreementFault()) return;
   notes_ << sentences::wordsOf(*drawn.agreementFault());

@@ -69,7 +69,7 @@ class SnapshotRun : public QObject {
   /// Of the picture, once it is complete.
   const geometry::ViewTransform& view() const { return view_; }
   /// What it was to show, with the maps.
-  shot::Look shown() const;
+  ui::shot::Look shown() const;
   /// What the picture is made from; it stands still once contentChosen().
   const session::Session& session() const { return session_; }
   /// A sentence if the picture or the report would replace a file that the map is read from.
@@ -110,7 +110,7 @@ class SnapshotRun : public QObject {
   bool stepMap();
   bool stepRegion();
   void checkChosenTopics();
-  void noteDrawn(const shot::ScenePicture& drawn);
+  void noteDrawn(const ui::shot::ScenePicture& drawn);
   void reportUnplaced();
   /// There is no map, but sensor data to show.
   bool drawsScansAlone() const;
@@ -119,7 +119,7 @@ class SnapshotRun : public QObject {
   void useWholeInstead();
   void reportProgress();
   void updateStanding();
-  void draw(shot::EndOfWaiting why);
+  void draw(ui::shot::EndOfWaiting why);
   void write();
   QString timeUpText() const;
   QString noConnection() const;
@@ -127,7 +127,7 @@ class SnapshotRun : public QObject {
   QString whatOfTheLink() const;
   /// The requested view, or all that has been received so far.
   geometry::ViewTransform chooseView() const;
-  std::unique_ptr<shot::Picture> makePicture(std::shared_ptr<const scene::Track> track);
+  std::unique_ptr<ui::shot::Picture> makePicture(std::shared_ptr<const ui::scene::Track> track);
   /// The cells of the whole map, if it is drawn.
   std::optional<render::PlacedGrid> wholeGrid() const;
   /// For the picture, or to compare them.
@@ -158,16 +158,16 @@ class SnapshotRun : public QObject {
   std::shared_ptr<work::Workers> workers_;
   session::Session session_;
   MapRequest map_;
-  shot::LayerSubscription live_layers_;
+  ui::shot::LayerSubscription live_layers_;
   CommandStart start_;
-  shot::MapShot shot_;
+  ui::shot::MapShot shot_;
   Ground ground_ = Ground::AsAsked;
   std::shared_ptr<Cloud> cloud_;             // null = not asked for
   replay::ReplayRobot* replayed_ = nullptr;  // null = a live robot
-  std::optional<shot::Recall> recall_;       // of a bag
+  std::optional<ui::shot::Recall> recall_;   // of a bag
   std::optional<RegionSnapshot> region_;
   std::optional<Choice> chosen_;
-  std::unique_ptr<shot::Picture> picture_;
+  std::unique_ptr<ui::shot::Picture> picture_;
   std::shared_ptr<SnapshotBoard> board_ = std::make_shared<SnapshotBoard>();
   QTimer timer_;
   geometry::ViewTransform view_;

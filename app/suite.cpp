@@ -228,7 +228,7 @@ std::optional<QString> writeFacts(const QString& path, const suite::Facts& facts
 
 /// What is behind a picture, with the figures that its view asks for.
 suite::Facts factsOf(const DrawnView& drawn) {
-  suite::Facts facts = shot::factsOf(drawn.run->shown(), drawn.run->session());
+  suite::Facts facts = ui::shot::factsOf(drawn.run->shown(), drawn.run->session());
   suite::addFigures(drawn.examined, facts);
   return facts;
 }

@@ -169,16 +169,16 @@ class TopicsRun {
     const QString patches = QStringLiteral("_updates");
     const QString grid = topic.endsWith(patches) ? topic.chopped(patches.size()) : topic;
     QStringList layers;
-    for (const scene::Layer layer : scene::allLayers()) {
-      map::Streams streams = scene::layerStreams(layer);
+    for (const ui::scene::Layer layer : ui::scene::allLayers()) {
+      map::Streams streams = ui::scene::layerStreams(layer);
       // Where the robot is comes without being asked for.
-      if (layer == scene::Layer::Robot) streams.insert(map::Stream::Pose);
-      if (layer == scene::Layer::Footprint) streams.insert(map::Stream::Model);
+      if (layer == ui::scene::Layer::Robot) streams.insert(map::Stream::Pose);
+      if (layer == ui::scene::Layer::Footprint) streams.insert(map::Stream::Model);
       if (std::any_of(streams.begin(), streams.end(), [&](map::Stream stream) {
             const QStringList known = robot_.liveTopics()->topicsOf(stream);
             return known.contains(topic) || known.contains(grid);
           }))
-        layers << scene::layerName(layer);
+        layers << ui::scene::layerName(layer);
     }
     return layers;
   }
@@ -254,7 +254,7 @@ class TopicsRun {
                           {QStringLiteral("bytes_per_s"), known(bytes_per_s)}};
       table.push_back({shown(told ? tally.perSecond() : 0), QString::number(tally.count),
                        shown(tally.shortest_s), shown(tally.longest_s), shown(told ? tally.deviation() : 0),
-                       told ? window::bytesText(qint64(bytes_per_s)) : QStringLiteral("?"),
+                       told ? ui::bytesText(qint64(bytes_per_s)) : QStringLiteral("?"),
                        words::plainName(topic)});
       all &= told;
     }

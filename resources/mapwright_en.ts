@@ -531,7 +531,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ClosuresController</name>
+    <name>mapwright::ui::ClosuresController</name>
     <message numerus="yes">
         <source>%1 loop closures.</source>
         <translation>
@@ -562,7 +562,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ClosuresDock</name>
+    <name>mapwright::ui::ClosuresDock</name>
     <message numerus="yes">
         <source>%1 submaps</source>
         <translation>
@@ -579,7 +579,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::CloudsController</name>
+    <name>mapwright::ui::CloudsController</name>
     <message numerus="yes">
         <source>%1 points were received.</source>
         <translation>
@@ -596,7 +596,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::DisagreementController</name>
+    <name>mapwright::ui::DisagreementController</name>
     <message numerus="yes">
         <source>%1 submaps are still missing.</source>
         <translation>
@@ -620,7 +620,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::DisagreementDock</name>
+    <name>mapwright::ui::DisagreementDock</name>
     <message numerus="yes">
         <source>Within %1 cells</source>
         <translation>
@@ -630,7 +630,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::EventsDock</name>
+    <name>mapwright::ui::EventsDock</name>
     <message numerus="yes">
         <source>%1 events</source>
         <translation>
@@ -647,7 +647,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::FoundRobots</name>
+    <name>mapwright::ui::FoundRobots</name>
     <message numerus="yes">
         <source>%1 ways to connect to %2</source>
         <translation>
@@ -657,7 +657,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::InspectorDock</name>
+    <name>mapwright::ui::InspectorDock</name>
     <message numerus="yes">
         <source>%1 submaps are selected.</source>
         <translation>
@@ -688,7 +688,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::LayersDock</name>
+    <name>mapwright::ui::LayersDock</name>
     <message numerus="yes">
         <source>%1 layers that this file has no data for</source>
         <translation>
@@ -712,7 +712,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::LineBar</name>
+    <name>mapwright::ui::LineBar</name>
     <message numerus="yes">
         <source>; %1 names are taken and left out</source>
         <translation>
@@ -722,7 +722,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ManualWindow</name>
+    <name>mapwright::ui::ManualWindow</name>
     <message numerus="yes">
         <source>%1 places</source>
         <translation>
@@ -732,7 +732,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::MapsDock</name>
+    <name>mapwright::ui::MapsDock</name>
     <message numerus="yes">
         <source>%1 maps</source>
         <translation>
@@ -742,7 +742,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ObjectCard</name>
+    <name>mapwright::ui::ObjectCard</name>
     <message numerus="yes">
         <source>%1 other things here: Alt+click</source>
         <translation>
@@ -752,7 +752,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ObjectsDock</name>
+    <name>mapwright::ui::ObjectsDock</name>
     <message numerus="yes">
         <source>%1 objects</source>
         <translation>
@@ -762,7 +762,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::OverlayFlaws</name>
+    <name>mapwright::ui::OverlayFlaws</name>
     <message numerus="yes">
         <source>%1 more are not listed.</source>
         <translation>
@@ -772,7 +772,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::OverlayMarksDialog</name>
+    <name>mapwright::ui::OverlayMarksDialog</name>
     <message numerus="yes">
         <source>Take over %1 marks</source>
         <translation>
@@ -782,7 +782,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::OverlayTeaching</name>
+    <name>mapwright::ui::OverlayTeaching</name>
     <message numerus="yes">
         <source>%1 marks</source>
         <translation>
@@ -792,7 +792,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::PictureDock</name>
+    <name>mapwright::ui::PictureDock</name>
     <message numerus="yes">
         <source>%1 specks</source>
         <translation>
@@ -812,7 +812,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::PlacesModel</name>
+    <name>mapwright::ui::PlacesModel</name>
     <message numerus="yes">
         <source>and %1 others</source>
         <translation>
@@ -822,7 +822,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ProblemsDock</name>
+    <name>mapwright::ui::ProblemsDock</name>
     <message numerus="yes">
         <source>%1 problems copied</source>
         <translation>
@@ -832,7 +832,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ProjectionsController</name>
+    <name>mapwright::ui::ProjectionsController</name>
     <message numerus="yes">
         <source>The robot has answered, but %1 projections differ from what was sent. The table shows its answer.</source>
         <translation>
@@ -842,7 +842,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ProjectionsDock</name>
+    <name>mapwright::ui::ProjectionsDock</name>
     <message numerus="yes">
         <source>The robot has %1 projections.</source>
         <translation>
@@ -852,7 +852,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::RangeExportDialog</name>
+    <name>mapwright::ui::RangeExportDialog</name>
     <message numerus="yes">
         <source>%1 messages</source>
         <translation>
@@ -869,7 +869,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::RecordingsDock</name>
+    <name>mapwright::ui::RecordingsDock</name>
     <message numerus="yes">
         <source>%1 recordings</source>
         <translation>
@@ -879,7 +879,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::ReferenceDock</name>
+    <name>mapwright::ui::ReferenceDock</name>
     <message numerus="yes">
         <source>%1 pairs, off by %2 (root mean square)</source>
         <translation>
@@ -889,7 +889,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::RenameDialog</name>
+    <name>mapwright::ui::RenameDialog</name>
     <message numerus="yes">
         <source>%1 names change.</source>
         <translation>
@@ -913,7 +913,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::RobotDock</name>
+    <name>mapwright::ui::RobotDock</name>
     <message numerus="yes">
         <source>%1 alerts</source>
         <translation>
@@ -923,7 +923,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::WaypointReview</name>
+    <name>mapwright::ui::WaypointReview</name>
     <message numerus="yes">
         <source>%1 requests</source>
         <translation>
@@ -933,7 +933,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::Waypoints</name>
+    <name>mapwright::ui::Waypoints</name>
     <message numerus="yes">
         <source>%1 waypoints</source>
         <translation>
@@ -950,7 +950,7 @@
     </message>
 </context>
 <context>
-    <name>mapwright::window::WaypointsDock</name>
+    <name>mapwright::ui::WaypointsDock</name>
     <message numerus="yes">
         <source>%1 warnings</source>
         <translation>

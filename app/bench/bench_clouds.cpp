@@ -89,8 +89,8 @@ void report(benchmark::State& state, std::vector<double> ms) {
 
 struct CloudView {
   CloudView() : scene_(render::TileRenderer::Options{}, clouds_), view_(&scene_) {
-    for (const scene::Layer layer : scene::allLayers())
-      scene_.setLayerVisible(layer, layer == scene::Layer::DispatchedCloud);
+    for (const ui::scene::Layer layer : ui::scene::allLayers())
+      scene_.setLayerVisible(layer, layer == ui::scene::Layer::DispatchedCloud);
     view_.setFrameShape(QFrame::NoFrame);
     view_.resize(1920, 1080);
     view_.show();
@@ -108,7 +108,7 @@ struct CloudView {
   }
   void look(const geometry::ViewTransform& to) { scene_.setView(camera_ = to); }
   std::shared_ptr<clouds::CloudStore> clouds_ = std::make_shared<clouds::CloudStore>();
-  scene::MapScene scene_;
+  ui::scene::MapScene scene_;
   QGraphicsView view_;
   geometry::ViewTransform camera_;
   double first_ms_ = 0;

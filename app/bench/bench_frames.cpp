@@ -126,7 +126,7 @@ class TileView {
     }
   }
   void look(const geometry::ViewTransform& camera) { scene_.setView(camera_ = camera); }
-  scene::MapScene scene_;
+  ui::scene::MapScene scene_;
   QGraphicsView view_;
   geometry::ViewTransform camera_;
 };

@@ -128,7 +128,7 @@ struct Stage {
   }
 
   std::shared_ptr<work::Workers> workers = std::make_shared<work::Workers>();
-  scene::MapScene scene{render::TileRenderer::Options{.workers = workers}};
+  ui::scene::MapScene scene{render::TileRenderer::Options{.workers = workers}};
   QGraphicsView view;
   ScriptedRobot* robot = nullptr;
   std::unique_ptr<session::Session> session;
@@ -138,7 +138,7 @@ struct Stage {
 /// 30,000 points at 10 Hz, a costmap of 1 Mcell at 1 Hz, poses at 30 Hz over a whole map.
 void LiveLayers(benchmark::State& state) {
   Stage stage;
-  for (const scene::Layer layer : {scene::Layer::WholeMap, scene::Layer::CostmapLow}) {
+  for (const ui::scene::Layer layer : {ui::scene::Layer::WholeMap, ui::scene::Layer::CostmapLow}) {
     stage.scene.setLayerVisible(layer, true);
   }
   stage.session->openMap({map::MapKind::Live, {}});
@@ -209,8 +209,8 @@ void LiveLayers(benchmark::State& state) {
 void WholeMapPan(benchmark::State& state) {
   const int edge = int(state.range(0));
   Stage stage;
-  stage.scene.setLayerVisible(scene::Layer::Submaps, false);
-  stage.scene.setLayerVisible(scene::Layer::WholeMap, true);
+  stage.scene.setLayerVisible(ui::scene::Layer::Submaps, false);
+  stage.scene.setLayerVisible(ui::scene::Layer::WholeMap, true);
   map::WholeMap map;
   map.key = {map::MapKind::Stored, "1"};
   map.grid = {edge, edge, 0.05, {0, 0, 0}};

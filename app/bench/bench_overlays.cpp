@@ -72,12 +72,12 @@ struct OverlayDesk {
     return keys;
   }
 
-  scene::MapScene scene{{}};
+  ui::scene::MapScene scene{{}};
   edit::OverlayEditing editing;
-  window::OverlaysOnMap on_map;
-  window::OverlaySnapping snapping;
-  window::OverlayTool tool;
-  window::OverlaysDock dock;
+  ui::OverlaysOnMap on_map;
+  ui::OverlaySnapping snapping;
+  ui::OverlayTool tool;
+  ui::OverlaysDock dock;
 };
 
 void overlaysRead(benchmark::State& state) {

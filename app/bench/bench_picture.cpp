@@ -244,7 +244,7 @@ class Desk {
   /// Until it can be edited; milliseconds.
   double open() {
     window_.reset();
-    window::MainWindow::Dependencies wanted{
+    ui::MainWindow::Dependencies wanted{
         [](const QString& address,
            const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
           robot::files::FileOptions options;
@@ -253,7 +253,7 @@ class Desk {
         },
         settings_};
     wanted.addresses = robot::Addresses({robot::files::addressScheme()});
-    window_ = std::make_unique<window::MainWindow>(std::move(wanted));
+    window_ = std::make_unique<ui::MainWindow>(std::move(wanted));
     window_->resize(1366, 768);
     window_->show();
     window_->view()->setAnimationMs(0);
@@ -273,7 +273,7 @@ class Desk {
     window_->view()->moveTo(camera, false);
     (void)waitFor([this] { return settled(); });
   }
-  edit::PictureEditing& editing() { return *window_->findChild<window::PictureController*>()->editing(); }
+  edit::PictureEditing& editing() { return *window_->findChild<ui::PictureController*>()->editing(); }
   bool settled() { return window_->mapScene()->settled(); }
   QWidget* map() { return window_->view()->viewport(); }
   void mouse(QEvent::Type type, const QPointF& at) {
@@ -287,7 +287,7 @@ class Desk {
   int edge_;
   QTemporaryDir folder_;
   QSettings settings_;
-  std::unique_ptr<window::MainWindow> window_;
+  std::unique_ptr<ui::MainWindow> window_;
 };
 
 Desk& desk(int edge) {

@@ -52,11 +52,11 @@ struct Desk {
   }
 
   edit::WaypointDocument document;
-  scene::MapScene scene{{}};
-  window::WaypointEditing editing;
-  window::HitList hits;
-  window::WaypointsOnMap on_map;
-  window::WaypointsDock dock;
+  ui::scene::MapScene scene{{}};
+  ui::WaypointEditing editing;
+  ui::HitList hits;
+  ui::WaypointsOnMap on_map;
+  ui::WaypointsDock dock;
 };
 
 void waypointsOpen(benchmark::State& state) {
@@ -77,7 +77,7 @@ void waypointsDrag(benchmark::State& state) {
   desk.editing.select(desk.some(1'000));
   double x = 0;
   for (auto _ : state) {
-    window::WaypointPreview preview;
+    ui::WaypointPreview preview;
     for (const edit::Key& key : desk.editing.selected()) {
       const map::Waypoint& from = *desk.editing.find(key);
       preview.emplace_hint(preview.end(), key,
@@ -92,7 +92,7 @@ BENCHMARK(waypointsDrag)->Arg(10'000)->Arg(20'000)->Unit(benchmark::kMillisecond
 /// All of them at once, let go: the document, the table, the form, the map and what is doubtful follow.
 void waypointsMoveAll(benchmark::State& state) {
   Desk desk(int(state.range(0)));
-  window::WaypointWarnings warnings(&desk.editing, std::make_shared<work::Workers>());
+  ui::WaypointWarnings warnings(&desk.editing, std::make_shared<work::Workers>());
   desk.on_map.setWarnings(&warnings);
   desk.dock.setWarnings(&warnings);
   desk.editing.setDocument(&desk.document, {});
@@ -122,9 +122,9 @@ void waypointsPaintSelected(benchmark::State& state) {
 BENCHMARK(waypointsPaintSelected)->Arg(1'000)->Arg(20'000)->Unit(benchmark::kMillisecond);
 
 void waypointsDragBaseline(benchmark::State& state) {
-  scene::DrawnWaypoints drawn{map::MapKey{map::MapKind::Stored, "1"}, {}};
+  ui::scene::DrawnWaypoints drawn{map::MapKey{map::MapKind::Stored, "1"}, {}};
   for (const auto& [key, point] : waypoints(int(state.range(0)))) {
-    scene::DrawnWaypoint one;
+    ui::scene::DrawnWaypoint one;
     one.name = point.name;
     one.position_m = point.position_m;
     drawn.points.push_back(std::move(one));

@@ -19,12 +19,12 @@ namespace mapwright::test {
 /// 1366 x 768, with settings and drafts of its own; nothing in it glides.
 class ShownWindow {
  public:
-  explicit ShownWindow(decltype(window::MainWindow::Dependencies::connect) connect)
+  explicit ShownWindow(decltype(ui::MainWindow::Dependencies::connect) connect)
       : settings_(filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {
-    window::MainWindow::Dependencies wanted{std::move(connect), settings_};
+    ui::MainWindow::Dependencies wanted{std::move(connect), settings_};
     wanted.addresses = app::knownAddresses();
     wanted.edit.drafts_folder = filePath(QStringLiteral("drafts"));
-    window_ = std::make_unique<window::MainWindow>(std::move(wanted));
+    window_ = std::make_unique<ui::MainWindow>(std::move(wanted));
     window_->resize(1366, 768);
     window_->show();
     window_->view()->setAnimationMs(0);
@@ -32,7 +32,7 @@ class ShownWindow {
   }
   ~ShownWindow() { window_.reset(); }
 
-  window::MainWindow& window() const { return *window_; }
+  ui::MainWindow& window() const { return *window_; }
   session::Session* session() const { return window_->session(); }
   bool connectTo(const QString& address) { return !window_->connectTo(address); }
   /// In a folder that goes with this.
@@ -40,12 +40,12 @@ class ShownWindow {
   /// Every listed submap and the whole map are there, or failed.
   bool mapsSettled() const { return session()->counts().pending == 0 && session()->wholeMap().settled(); }
   /// They go by themselves.
-  bool hasToasts() const { return !window_->findChild<window::MapOverlay*>()->toasts()->texts().isEmpty(); }
+  bool hasToasts() const { return !window_->findChild<ui::MapOverlay*>()->toasts()->texts().isEmpty(); }
 
  private:
   QTemporaryDir folder_;
   QSettings settings_;
-  std::unique_ptr<window::MainWindow> window_;
+  std::unique_ptr<ui::MainWindow> window_;
 };
 
 }  // namespace mapwright::test

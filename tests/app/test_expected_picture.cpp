@@ -16,9 +16,9 @@
 namespace test_expected_picture {
 
 using namespace mapwright;
-using window::ExpectedController;
-using window::PictureSwipe;
-using window::SwipeHandle;
+using ui::ExpectedController;
+using ui::PictureSwipe;
+using ui::SwipeHandle;
 
 namespace {
 

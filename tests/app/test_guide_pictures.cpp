@@ -51,7 +51,7 @@ class Desk {
     if (const auto error = robot_.start()) qFatal("%s", error->c_str());
   }
 
-  window::MainWindow& window() { return shown_.window(); }
+  ui::MainWindow& window() { return shown_.window(); }
   session::Session* session() { return shown_.session(); }
   const simulator::Simulator& robot() const { return robot_; }
   bool connectTo(const std::string& address) {
@@ -272,7 +272,7 @@ class GuidePicturesTest : public QObject {
       if (bags && bags->size() > 2) key = (*bags)[1].key;
     });
     QTRY_VERIFY(listed);
-    auto* const replay = window::part<window::ReplayController>(desk.window());
+    auto* const replay = ui::part<ui::ReplayController>(desk.window());
     QVERIFY(replay);
     replay->openBag(key);
     QTRY_VERIFY_WITH_TIMEOUT(replay->clock().isOpen(), 30'000);
@@ -317,10 +317,10 @@ class GuidePicturesTest : public QObject {
     QVERIFY(desk.connectTo(path));
     desk.act("layoutInspect");
     desk.act("modeSubmaps");
-    scene::MapScene& scene = *desk.window().mapScene();
-    scene.setLayerVisible(scene::Layer::Closures, true);
-    scene.setLayerVisible(scene::Layer::Disagreement, true);
-    auto& dock = dynamic_cast<window::DisagreementDock&>(desk.front("disagreement"));
+    ui::scene::MapScene& scene = *desk.window().mapScene();
+    scene.setLayerVisible(ui::scene::Layer::Closures, true);
+    scene.setLayerVisible(ui::scene::Layer::Disagreement, true);
+    auto& dock = dynamic_cast<ui::DisagreementDock&>(desk.front("disagreement"));
     desk.act("fit");
     const auto said = [&] { return dock.summary()->text(); };
     QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("contradict")) &&

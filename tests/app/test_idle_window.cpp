@@ -44,7 +44,7 @@ class Counter : public QObject {
     if (event->type() == QEvent::MetaCall) add(calls, QStringLiteral("call of ") + who);
     if (event->type() == QEvent::UpdateRequest) add(frames, QStringLiteral("frame of ") + who);
     if (event->type() == QEvent::Paint && receiver->isWidgetType()) {
-      const bool of_map = qobject_cast<window::MapView*>(receiver->parent()) != nullptr;
+      const bool of_map = qobject_cast<ui::MapView*>(receiver->parent()) != nullptr;
       add(of_map ? map_paints : paints, QStringLiteral("paint of ") + who);
     }
     return false;
@@ -70,7 +70,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> robotOrReplay(const QString
   auto made = app::makeRobot(to, {}, app::DemoTime::Running);
   if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
     *made = std::make_unique<replay::ReplayRobot>(std::move(*made), robot::recorded::bagNameOf(parsed->path),
-                                                  window::followedReading());
+                                                  ui::followedReading());
   return made;
 }
 
@@ -78,7 +78,7 @@ class Desk : public test::ShownWindow {
  public:
   Desk() : ShownWindow([](const QString& to, const QByteArray&) { return robotOrReplay(to); }) {
     constexpr int kToastMs = 100;  // they are waited for
-    window().findChild<window::MapOverlay*>()->toasts()->setLifetimeMs(kToastMs);
+    window().findChild<ui::MapOverlay*>()->toasts()->setLifetimeMs(kToastMs);
   }
 
   QString written(const QString& name, const std::string& bytes) {
@@ -185,7 +185,7 @@ class IdleWindowTest : public QObject {
     for (const double share : {0.0, 0.5}) {
       const replay::Chunks& chunks = desk.replay()->reading()->chunks();
       if (share > 0) {
-        desk.window().findChild<window::ReplayController*>()->clock().seek(
+        desk.window().findChild<ui::ReplayController*>()->clock().seek(
             chunks.start_s() + share * (chunks.end_s() - chunks.start_s()));
       }
       QVERIFY(desk.settles());

@@ -176,11 +176,12 @@ class SnapshotContentTest : public QObject {
     QTest::addColumn<QString>("layers");
     QTest::addColumn<QString>("mode");
     for (const char* mode : {"submaps", "whole"}) {
-      for (const scene::Layer layer : scene::allLayers()) {
+      for (const ui::scene::Layer layer : ui::scene::allLayers()) {
         // A map above the map hides it.
-        if (scene::specOf(layer).in_all && layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap)
-          QTest::newRow(qPrintable(QLatin1String(mode) + QLatin1Char(' ') + scene::layerName(layer)))
-              << scene::layerName(layer) << QString::fromLatin1(mode);
+        if (ui::scene::specOf(layer).in_all && layer != ui::scene::Layer::Submaps &&
+            layer != ui::scene::Layer::WholeMap)
+          QTest::newRow(qPrintable(QLatin1String(mode) + QLatin1Char(' ') + ui::scene::layerName(layer)))
+              << ui::scene::layerName(layer) << QString::fromLatin1(mode);
       }
     }
   }
@@ -294,7 +295,7 @@ class SnapshotContentTest : public QObject {
   }
 
   void coloursChangeNothingElse() {
-    const QRgb unknown = scene::lightMapTheme().map.unknown;
+    const QRgb unknown = ui::scene::lightMapTheme().map.unknown;
     QImage normal;
     for (const char* colors : {"normal", "trajectory", "age", "version"}) {
       app::SnapshotArguments asked = words("colours.png");

@@ -30,7 +30,8 @@ class SnapshotOptionsTest : public QObject {
     QVERIFY(!options->center_m);
     QCOMPARE(options->size_px, QSize(1280, 800));
     QVERIFY(options->mode == SnapshotMode::Automatic);
-    QVERIFY(options->layers.contains(scene::Layer::Robot) && !options->layers.contains(scene::Layer::Ids));
+    QVERIFY(options->layers.contains(ui::scene::Layer::Robot) &&
+            !options->layers.contains(ui::scene::Layer::Ids));
   }
 
   void everyOptionIsTakenOver() {
@@ -172,8 +173,8 @@ class SnapshotOptionsTest : public QObject {
     w.raw = true;
     const auto options = parseSnapshotOptions(w);
     QVERIFY(options.has_value());
-    for (const scene::Layer layer : options->layers)
-      QVERIFY(layer == scene::Layer::Submaps || layer == scene::Layer::WholeMap);
+    for (const ui::scene::Layer layer : options->layers)
+      QVERIFY(layer == ui::scene::Layer::Submaps || layer == ui::scene::Layer::WholeMap);
   }
 
   void numbersAreDecimal() {

@@ -124,7 +124,7 @@ class SnapshotRunTest : public QObject {
 
   void theWindowsSceneShowsTheSamePixelsAsTheRawPicture() {
     SnapshotOptions options = small(QStringLiteral("plain.png"));
-    options.layers = {scene::Layer::Submaps};
+    options.layers = {ui::scene::Layer::Submaps};
     QCOMPARE(take(options, frozen()), int(app::kDone));
     options = small(QStringLiteral("raw2.png"));
     options.raw = true;
@@ -132,7 +132,7 @@ class SnapshotRunTest : public QObject {
     const QImage plain(folder_.filePath(QStringLiteral("plain.png")));
     const QImage raw =
         QImage(folder_.filePath(QStringLiteral("raw2.png"))).convertToFormat(QImage::Format_ARGB32);
-    const render::MapColors colors = scene::lightMapTheme().map;
+    const render::MapColors colors = ui::scene::lightMapTheme().map;
     const auto mixed = [](QRgb dark, QRgb light, int intensity) {
       return dark + (light - dark) * intensity / 255.0;
     };

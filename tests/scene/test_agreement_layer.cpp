@@ -14,7 +14,7 @@
 namespace test_agreement_layer {
 
 using namespace mapwright;
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 using agreement::kTileCells;
 using agreement::Tile;
 using agreement::TileKey;

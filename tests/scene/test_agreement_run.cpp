@@ -9,10 +9,10 @@
 namespace test_agreement_run {
 
 using namespace mapwright;
-using scene::AgreementRun;
 using testing::kFree;
 using testing::kWall;
 using testing::plain;
+using ui::scene::AgreementRun;
 
 namespace {
 

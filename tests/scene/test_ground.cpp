@@ -16,10 +16,10 @@
 namespace test_ground {
 
 using namespace mapwright;
-using scene::Layer;
-using scene::MapScene;
 using session::Session;
 using test::FakeRobot;
+using ui::scene::Layer;
+using ui::scene::MapScene;
 
 namespace {
 
@@ -155,7 +155,7 @@ class GroundTest : public QObject {
     check([&] { scene_->setLayerOpacity(Layer::Path, 0.4); });
     check([&] { scene_->setLayerStyle(Layer::Path, {.color = Qt::green, .size = 7}); });
     check([&] { scene_->setLayerVisible(Layer::Doors, false); });
-    check([&] { scene_->setTheme(scene::darkMapTheme()); });
+    check([&] { scene_->setTheme(ui::scene::darkMapTheme()); });
     check([&] { scene_->setMeasurement({{-0.5, 0}, {0.5, 0.4}, {0.6, -0.4}}); });
     check([&] { scene_->setStale(true); });
     check([&] {

@@ -9,7 +9,7 @@
 
 namespace test_label_plan {
 
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 using Position = LabelWish::Position;
 
 namespace {

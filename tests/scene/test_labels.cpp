@@ -16,10 +16,10 @@
 namespace test_labels {
 
 using namespace mapwright;
-using scene::Layer;
-using scene::MapScene;
 using session::Session;
 using test::FakeRobot;
+using ui::scene::Layer;
+using ui::scene::MapScene;
 
 namespace {
 
@@ -69,7 +69,7 @@ class LabelsTest : public QObject {
     render::TileRenderer::Options options;
     options.previews = previews;
     auto scene = std::make_unique<MapScene>(options);
-    for (const Layer layer : scene::allLayers()) {
+    for (const Layer layer : ui::scene::allLayers()) {
       scene->setLayerVisible(layer, layer == Layer::Landmarks || layer == Layer::Doors);
     }
     scene->setView(view);
@@ -85,12 +85,12 @@ class LabelsTest : public QObject {
 
  private Q_SLOTS:
   void whatWasDrawnBeforeChangesNoLabel() {
-    const scene::MapTheme theme = scene::lightMapTheme();
+    const ui::scene::MapTheme theme = ui::scene::lightMapTheme();
     const auto drawn = [&theme](const char* text, bool struck_through = false) {
       QImage image(200, 40, QImage::Format_ARGB32_Premultiplied);
       image.fill(Qt::white);
       QPainter painter(&image);
-      scene::drawLabel(painter, {10, 25}, QString::fromUtf8(text), theme, theme.text, struck_through);
+      ui::scene::drawLabel(painter, {10, 25}, QString::fromUtf8(text), theme, theme.text, struck_through);
       return image;
     };
     const auto width = [&theme] {
@@ -193,7 +193,7 @@ class LabelsTest : public QObject {
     // To the left of both names.
     robot_->say(map::LandmarksMessage{{{"mmmmmmmmmmmmmmmm", {-3.6, 3.52}, true}}});
     const auto scene = sceneOf(false, view);
-    scene->setCompareMode(scene::CompareMode::Swipe);
+    scene->setCompareMode(ui::scene::CompareMode::Swipe);
     scene->setHalfNames(QStringLiteral("the first map, with a long name"), QStringLiteral("the second map"));
     scene->setLayerVisible(Layer::Landmarks, false);
     const QImage without = painted(*scene);

@@ -15,7 +15,7 @@
 namespace test_layers {
 
 using namespace mapwright;
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 
 namespace {
 

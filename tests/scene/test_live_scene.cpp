@@ -14,11 +14,11 @@
 namespace test_live_scene {
 
 using namespace mapwright;
-using scene::CompareMode;
-using scene::Layer;
-using scene::MapScene;
 using session::Session;
 using test::FakeRobot;
+using ui::scene::CompareMode;
+using ui::scene::Layer;
+using ui::scene::MapScene;
 
 namespace {
 
@@ -51,7 +51,7 @@ class LiveSceneTest : public QObject {
   }
   QRgb at(int x, int y) { return painted().pixel(x, y); }
   void showOnly(std::vector<Layer> layers) {
-    for (const Layer layer : scene::allLayers()) {
+    for (const Layer layer : ui::scene::allLayers()) {
       scene_->setLayerVisible(layer, std::find(layers.begin(), layers.end(), layer) != layers.end());
     }
   }
@@ -76,7 +76,7 @@ class LiveSceneTest : public QObject {
     scene_->setView({{0, 0}, 0.01, 0, 100, 100});
     scene_->setSession(session_.get());
     map::Streams all;
-    for (const Layer layer : scene::allLayers()) all.merge(scene::layerStreams(layer));
+    for (const Layer layer : ui::scene::allLayers()) all.merge(ui::scene::layerStreams(layer));
     session_->want(QStringLiteral("bench"), all);  // such a scene asks for nothing
     showOnly({Layer::WholeMap});
   }
@@ -180,7 +180,7 @@ class LiveSceneTest : public QObject {
     robot_->say(points(-0.2));
     QCOMPARE(at(70, 40), kUnknown);
     QVERIFY(at(30, 40) != kUnknown);
-    scene::LayerStyle style;
+    ui::scene::LayerStyle style;
     style.color = Qt::green;
     style.size = 5;
     scene_->setLayerStyle(Layer::Cloud, style);
@@ -215,7 +215,7 @@ class LiveSceneTest : public QObject {
     for (const Layer layer :
          {Layer::Path, Layer::LocalPath, Layer::Trajectory, Layer::Target, Layer::NearbyRobots,
           Layer::Landmarks, Layer::Doors, Layer::Boxes, Layer::Constraints, Layer::Overlays}) {
-      QTest::addRow("%s", qPrintable(scene::layerName(layer))) << int(layer);
+      QTest::addRow("%s", qPrintable(ui::scene::layerName(layer))) << int(layer);
     }
   }
   void livePartsAreDrawnFromTheLiveState() {
@@ -263,7 +263,7 @@ class LiveSceneTest : public QObject {
     QCOMPARE(at(50, 50), kNearlyFree);  // hidden under the map
     QVERIFY(scene_->layerOrder().back() == Layer::ScaleBar);
     scene_->setLayerOrder({});
-    QCOMPARE(scene_->layerOrder().size(), scene::allLayers().size());
+    QCOMPARE(scene_->layerOrder().size(), ui::scene::allLayers().size());
   }
 
   void aPartOfThePictureIsPaintedLikeTheWhole() {

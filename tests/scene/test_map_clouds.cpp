@@ -12,7 +12,7 @@
 namespace test_map_clouds {
 
 using namespace mapwright;
-using scene::Layer;
+using ui::scene::Layer;
 
 namespace {
 
@@ -36,8 +36,8 @@ struct Stage {
   explicit Stage(bool previews = false) {
     render::TileRenderer::Options options;
     options.previews = previews;
-    scene = std::make_unique<scene::MapScene>(options, store);
-    for (const Layer layer : scene::allLayers())
+    scene = std::make_unique<ui::scene::MapScene>(options, store);
+    for (const Layer layer : ui::scene::allLayers())
       scene->setLayerVisible(layer, layer == Layer::DispatchedCloud);
     geometry::ViewTransform view;
     view.center_m = {5, 5};
@@ -59,7 +59,7 @@ struct Stage {
     return image;
   }
   std::shared_ptr<clouds::CloudStore> store = std::make_shared<clouds::CloudStore>();
-  std::unique_ptr<scene::MapScene> scene;
+  std::unique_ptr<ui::scene::MapScene> scene;
 };
 
 }  // namespace
@@ -95,7 +95,7 @@ class TestMapClouds : public QObject {
     stage.add(hall(10));
     const QImage shown = stage.picture();
     stage.scene->setLayerStyle(Layer::DispatchedCloud,
-                               {.color = Qt::red, .choice = int(scene::DispatchedCloudChoice::OneColor)});
+                               {.color = Qt::red, .choice = int(ui::scene::DispatchedCloudChoice::OneColor)});
     const QImage red = stage.picture();
     QVERIFY(red != shown);
     // Few points in a pixel let the ground through.
@@ -171,7 +171,7 @@ class TestMapClouds : public QObject {
     const auto nearest = clouds::nearestIn(*made, {1, 1.9}, 0.2);
     QVERIFY(nearest && (*nearest - Eigen::Vector2d(1.025, 1.9)).norm() < 0.01);
     QVERIFY(!clouds::nearestIn(*made, {5, 1.5}, 0.2));
-    const render::TilePainter painter = scene::sectionPainter(
+    const render::TilePainter painter = ui::scene::sectionPainter(
         made, stage.clouds(), stage.scene->layerStyle(Layer::DispatchedCloud), stage.scene->theme(), 1);
     render::PixelGrid grid;
     grid.scale_m_per_px = 0.05;

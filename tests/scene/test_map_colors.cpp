@@ -15,7 +15,7 @@
 namespace test_map_colors {
 
 using namespace mapwright;
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 using test::distance;
 using test::Eyes;
 using test::Lab;

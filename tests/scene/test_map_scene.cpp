@@ -14,10 +14,10 @@ namespace test_map_scene {
 
 using namespace mapwright;
 using Outcome = map::SubmapAnswer::Outcome;
-using scene::Layer;
-using scene::MapScene;
 using session::Session;
 using test::FakeRobot;
+using ui::scene::Layer;
+using ui::scene::MapScene;
 
 namespace {
 
@@ -71,7 +71,7 @@ class MapSceneTest : public QObject {
     render::TileRenderer::Options options;
     options.previews = false;
     scene_ = std::make_unique<MapScene>(options);
-    for (const Layer layer : scene::allLayers()) scene_->setLayerVisible(layer, layer == Layer::Submaps);
+    for (const Layer layer : ui::scene::allLayers()) scene_->setLayerVisible(layer, layer == Layer::Submaps);
     scene_->setView({{0, 0}, 0.01, 0, 100, 100});
     scene_->setSession(session_.get());
   }
@@ -218,12 +218,12 @@ class MapSceneTest : public QObject {
     showOneSubmap();
     session_->setVisible({{0, 0}}, false);
     for (const bool dark : {false, true}) {
-      const scene::MapTheme theme = dark ? scene::darkMapTheme() : scene::lightMapTheme();
+      const ui::scene::MapTheme theme = dark ? ui::scene::darkMapTheme() : ui::scene::lightMapTheme();
       scene_->setTheme(theme);
       if (!closure) scene_->setHighlighted({{0, 0}});
-      scene::MapObject object;
+      ui::scene::MapObject object;
       object.id.layer = Layer::Closures;
-      object.form = scene::ObjectForm::Line;
+      object.form = ui::scene::ObjectForm::Line;
       object.parts = {{{0, 0}, {0.1, 0}}};
       if (closure) scene_->setMarked(object);
       QTRY_VERIFY(scene_->settled());
@@ -247,11 +247,11 @@ class MapSceneTest : public QObject {
     scene_->setView({{0.1, 0.1}, 0.001, 0, 400, 400});  // the frame has 200 pixels
     const auto shot = [&](bool framed, bool marked) {
       scene_->setHighlighted(framed ? std::set<map::SubmapId>{{0, 0}, {9, 9}} : std::set<map::SubmapId>());
-      std::optional<scene::MapObject> closure;
+      std::optional<ui::scene::MapObject> closure;
       if (marked) {
         closure.emplace();
         closure->id.layer = Layer::Closures;
-        closure->form = scene::ObjectForm::Line;
+        closure->form = ui::scene::ObjectForm::Line;
         closure->parts = {{{0.06, 0.1}, {0.14, 0.1}}};
       }
       scene_->setMarked(closure);
@@ -322,7 +322,7 @@ class MapSceneTest : public QObject {
 
   void namesOfLayersAreThoseOfTheCommandLine() {
     QStringList names;
-    for (const Layer layer : scene::allLayers()) names << scene::layerName(layer);
+    for (const Layer layer : ui::scene::allLayers()) names << ui::scene::layerName(layer);
     QCOMPARE(names.join(QLatin1Char(',')),
              QStringLiteral(
                  "reference,whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-"

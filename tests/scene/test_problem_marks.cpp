@@ -14,11 +14,11 @@ namespace test_problem_marks {
 
 using namespace mapwright;
 using Outcome = map::SubmapAnswer::Outcome;
-using scene::Layer;
-using scene::MapScene;
-using scene::ProblemMark;
 using session::Session;
 using test::FakeRobot;
+using ui::scene::Layer;
+using ui::scene::MapScene;
+using ui::scene::ProblemMark;
 
 namespace {
 
@@ -70,7 +70,7 @@ class ProblemMarksTest : public QObject {
     render::TileRenderer::Options options;
     options.previews = false;
     scene_ = std::make_unique<MapScene>(options);
-    for (const Layer layer : scene::allLayers()) {
+    for (const Layer layer : ui::scene::allLayers()) {
       scene_->setLayerVisible(
           layer, layer == Layer::Submaps || layer == Layer::Problems || layer == Layer::Overlays);
     }
@@ -192,8 +192,8 @@ class ProblemMarksTest : public QObject {
   void aReferenceMapThatIsBrokenIsMarked() {
     QVERIFY(!isMarked({0.3, 0.3}));
     const map::GridReference grid{60, 60, 0.01, {0.3, 0.3, 0}};
-    scene_->setReferenceTrouble(scene::MapTrouble{scene::gridCorners(grid), true, QStringLiteral("Plan"),
-                                                  QStringLiteral("It breaks off.")});
+    scene_->setReferenceTrouble(ui::scene::MapTrouble{
+        ui::scene::gridCorners(grid), true, QStringLiteral("Plan"), QStringLiteral("It breaks off.")});
     QVERIFY(isMarked({0.6, 0.6}));
     const auto found = scene_->problemMarksAt({0.6, 0.6}, 9);
     QCOMPARE(found.size(), std::size_t(1));
@@ -203,9 +203,9 @@ class ProblemMarksTest : public QObject {
   }
 
   void aHundredThousandOfThemAreFoundByTheirPlace() {
-    scene::SubmapMarks marks;
+    ui::scene::SubmapMarks marks;
     for (int i = 0; i < 100'000; ++i)
-      marks.put({0, i}, {scene::MarkKind::Missing, {double(i % 1'000), double(i / 1'000)}, {}});
+      marks.put({0, i}, {ui::scene::MarkKind::Missing, {double(i % 1'000), double(i / 1'000)}, {}});
     QCOMPARE(marks.size(), std::size_t(100'000));
     QVERIFY(!marks.within({0, 0, 1'000, 100}, 400));
     const auto some = marks.within({10.5, 10.5, 13.5, 12.5}, 400);
@@ -217,8 +217,8 @@ class ProblemMarksTest : public QObject {
     QVERIFY(marks.remove({0, 99'999}));
     QVERIFY(!marks.remove({0, 99'999}));
     QVERIFY(!marks.any({998.5, 98.5, 1'001, 101}));
-    QVERIFY(!marks.put({0, 0}, {scene::MarkKind::Missing, {0, 0}, {}}));
-    QVERIFY(marks.put({0, 0}, {scene::MarkKind::Corrupt, {0, 0}, {}}));
+    QVERIFY(!marks.put({0, 0}, {ui::scene::MarkKind::Missing, {0, 0}, {}}));
+    QVERIFY(marks.put({0, 0}, {ui::scene::MarkKind::Corrupt, {0, 0}, {}}));
   }
 
   void farAwayTheyAreSummedUpInSquares() {

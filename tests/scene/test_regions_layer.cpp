@@ -15,8 +15,8 @@ namespace test_regions_layer {
 using namespace mapwright;
 using regions::FakeDispatch;
 using regions::RegionMap;
-using scene::Layer;
-using scene::MapScene;
+using ui::scene::Layer;
+using ui::scene::MapScene;
 
 namespace {
 
@@ -69,7 +69,7 @@ class RegionsLayerTest : public QObject {
     render::TileRenderer::Options options;
     options.previews = false;
     scene_ = std::make_unique<MapScene>(options);
-    for (const Layer layer : scene::allLayers()) scene_->setLayerVisible(layer, layer == Layer::Regions);
+    for (const Layer layer : ui::scene::allLayers()) scene_->setLayerVisible(layer, layer == Layer::Regions);
     scene_->setRegions(map_.get());
   }
   void cleanup() {

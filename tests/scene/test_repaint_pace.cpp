@@ -6,7 +6,7 @@
 
 namespace test_repaint_pace {
 
-using mapwright::scene::RepaintPace;
+using mapwright::ui::scene::RepaintPace;
 
 class RepaintPaceTest : public QObject {
   Q_OBJECT

@@ -12,12 +12,12 @@ namespace test_robot_place {
 
 using namespace mapwright;
 using map::Whereabouts;
-using scene::CompareMode;
-using scene::Layer;
-using scene::MapScene;
-using scene::ScreenPart;
 using session::Session;
 using test::FakeRobot;
+using ui::scene::CompareMode;
+using ui::scene::Layer;
+using ui::scene::MapScene;
+using ui::scene::ScreenPart;
 
 namespace {
 
@@ -25,8 +25,8 @@ const map::MapKey kHere{map::MapKind::Stored, "1"}, kElsewhere{map::MapKind::Sto
 const map::Polyline kLine{{-0.4, 0}, {0.4, 0}};
 
 std::vector<Layer> robotsLayers() {
-  std::vector<Layer> layers = scene::allLayers();
-  std::erase_if(layers, [](Layer layer) { return !scene::specOf(layer).follows_robot; });
+  std::vector<Layer> layers = ui::scene::allLayers();
+  std::erase_if(layers, [](Layer layer) { return !ui::scene::specOf(layer).follows_robot; });
   return layers;
 }
 
@@ -69,7 +69,7 @@ class RobotPlaceTest : public QObject {
     return image;
   }
   void showOnly(const std::vector<Layer>& layers) {
-    for (const Layer layer : scene::allLayers()) {
+    for (const Layer layer : ui::scene::allLayers()) {
       scene_->setLayerVisible(layer, std::find(layers.begin(), layers.end(), layer) != layers.end());
     }
   }
@@ -133,8 +133,8 @@ class RobotPlaceTest : public QObject {
     list.entries = {entry};
     robot_->say(list);
     robot_->answer(map::SubmapAnswer::Outcome::Ok, 0, 127);
-    scene_->setTrack(std::make_shared<scene::Track>(
-        scene::Track{{{-0.3, -0.3}, 0, 1, 10, true}, {{0.3, 0.3}, 1, 1, 10, false}}));
+    scene_->setTrack(std::make_shared<ui::scene::Track>(
+        ui::scene::Track{{{-0.3, -0.3}, 0, 1, 10, true}, {{0.3, 0.3}, 1, 1, 10, false}}));
     QTRY_COMPARE(session_->counts().shown, 1);
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::EnvSymmetry));
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapHigh));
@@ -166,7 +166,7 @@ class RobotPlaceTest : public QObject {
   void everyLayerOfTheRobotKeepsToItsMap_data() {
     QTest::addColumn<int>("layer");
     for (const Layer layer : robotsLayers()) {
-      QTest::addRow("%s", qPrintable(scene::layerName(layer))) << int(layer);
+      QTest::addRow("%s", qPrintable(ui::scene::layerName(layer))) << int(layer);
     }
   }
   void everyLayerOfTheRobotKeepsToItsMap() {
@@ -190,7 +190,7 @@ class RobotPlaceTest : public QObject {
     const QImage empty = painted();
     sayEverything();
     robot_->say(mapInfo("u1", "Map 1"));
-    std::vector<Layer> all = scene::allLayers();
+    std::vector<Layer> all = ui::scene::allLayers();
     std::erase(all, Layer::Grid);
     std::erase(all, Layer::ScaleBar);
     showOnly(all);

@@ -5,7 +5,7 @@
 
 namespace test_scale_bar {
 
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 
 class ScaleBarTest : public QObject {
   Q_OBJECT

@@ -11,7 +11,7 @@
 namespace test_submap_classes {
 
 using namespace mapwright;
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 using render::kClasses;
 
 class SubmapClassesTest : public QObject {

@@ -14,7 +14,7 @@
 namespace test_track_layer {
 
 using namespace mapwright;
-using namespace mapwright::scene;
+using namespace mapwright::ui::scene;
 
 namespace {
 
@@ -80,8 +80,8 @@ class TrackLayerTest : public QObject {
     const auto track = straight(16);
     desk.scene.setTrack(track);
     const QImage before = desk.painted();
-    scene::MapObject line;
-    line.form = scene::ObjectForm::Line;
+    ui::scene::MapObject line;
+    line.form = ui::scene::ObjectForm::Line;
     line.parts.emplace_back();
     for (const TrackSample& sample : *track) line.parts[0].push_back(sample.position_m);
     desk.scene.setMarked(line);

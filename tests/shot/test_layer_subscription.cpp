@@ -9,8 +9,8 @@
 namespace test_layer_subscription {
 
 using namespace mapwright;
-using scene::Layer;
 using test::FakeRobot;
+using ui::scene::Layer;
 
 namespace {
 
@@ -42,7 +42,7 @@ class LayerSubscriptionTest : public QObject {
  private:
   TellingRobot* robot_ = nullptr;
   std::unique_ptr<session::Session> session_;
-  std::unique_ptr<shot::LayerSubscription> layers_;
+  std::unique_ptr<ui::shot::LayerSubscription> layers_;
 
   std::string topicOf(map::Stream stream) const { return robot_->topicsOf(stream).first().toStdString(); }
 
@@ -53,7 +53,7 @@ class LayerSubscriptionTest : public QObject {
     robot_ = robot.get();
     robot_->has_topics = true;
     session_ = std::make_unique<session::Session>(std::move(robot), session::Session::Options{});
-    layers_ = std::make_unique<shot::LayerSubscription>(*session_);
+    layers_ = std::make_unique<ui::shot::LayerSubscription>(*session_);
     robot_->setPhase(robot::ConnectionPhase::Online);
   }
   void cleanupTestCase() { layers_.reset(); }

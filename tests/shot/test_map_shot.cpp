@@ -6,7 +6,7 @@
 
 namespace test_map_shot {
 
-using namespace mapwright::shot;
+using namespace mapwright::ui::shot;
 
 class MapShotTest : public QObject {
   Q_OBJECT

@@ -9,8 +9,8 @@
 namespace test_scene_picture {
 
 using namespace mapwright;
-using scene::Layer;
 using test::FakeRobot;
+using ui::scene::Layer;
 
 namespace {
 
@@ -40,17 +40,17 @@ class ScenePictureTest : public QObject {
     session::Session session(std::move(robot), {});
     session.open();
     asked.setPhase(robot::ConnectionPhase::Online);
-    scene::MapScene on_screen(render::TileRenderer::Options{});
+    ui::scene::MapScene on_screen(render::TileRenderer::Options{});
     on_screen.setLayersVisible({Layer::Path});
     on_screen.setSession(&session);
     QTRY_VERIFY(asked.wanted.contains(QStringLiteral("/path")));
 
-    shot::Look look;
+    ui::shot::Look look;
     look.view.width_px = 64;
     look.view.height_px = 48;
     look.layers = {Layer::Grid};
-    shot::ScenePicture picture(look, session, std::make_shared<work::Workers>(1));
-    QSignalSpy finished(&picture, &shot::Picture::finished);
+    ui::shot::ScenePicture picture(look, session, std::make_shared<work::Workers>(1));
+    QSignalSpy finished(&picture, &ui::shot::Picture::finished);
     picture.start();
     QTRY_VERIFY(!finished.isEmpty());
     QCOMPARE(picture.image().size(), QSize(64, 48));
@@ -86,12 +86,12 @@ class ScenePictureTest : public QObject {
       reply(square(key, key.id.index == 1));
     }
     QTRY_COMPARE(session.counts().shown, 2);
-    shot::Look look;
+    ui::shot::Look look;
     look.view = {{0.25, 0}, 0.025, 0, 80, 60};
     look.layers = {Layer::Submaps};
     const auto drawn = [&](int threads) {
-      shot::ScenePicture picture(look, session, std::make_shared<work::Workers>(threads));
-      QSignalSpy finished(&picture, &shot::Picture::finished);
+      ui::shot::ScenePicture picture(look, session, std::make_shared<work::Workers>(threads));
+      QSignalSpy finished(&picture, &ui::shot::Picture::finished);
       picture.start();
       return QTest::qWaitFor([&] { return !finished.isEmpty(); }) ? picture.image() : QImage();
     };
@@ -103,7 +103,7 @@ class ScenePictureTest : public QObject {
     QCOMPARE(image.pixel(2, 30), without.pixel(2, 30));
     QVERIFY(image.pixel(40, 30) != without.pixel(40, 30));
     if (layer == Layer::Disagreement) {
-      QCOMPARE(image.pixel(40, 30), scene::lightMapTheme().bad.rgb());
+      QCOMPARE(image.pixel(40, 30), ui::scene::lightMapTheme().bad.rgb());
       QCOMPARE(image.pixel(20, 30), without.pixel(20, 30));
     }
   }

@@ -26,7 +26,7 @@
 namespace test_overlays_desk {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 inline constexpr const char* kOverlays =
     R"({"type":"FeatureCollection", "future": 1.50, "features":[

@@ -13,10 +13,10 @@
 
 namespace mapwright::test {
 
-using window::MapsController;
-using window::part;
-using window::ReferenceController;
-using window::ReferenceDock;
+using ui::MapsController;
+using ui::part;
+using ui::ReferenceController;
+using ui::ReferenceDock;
 
 inline const QString kFile = QStringLiteral("file:/maps/plan.yaml");
 

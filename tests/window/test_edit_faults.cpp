@@ -20,7 +20,7 @@
 namespace test_edit_faults {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 

@@ -17,7 +17,7 @@
 namespace test_plot_parts {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 

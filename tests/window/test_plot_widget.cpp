@@ -18,7 +18,7 @@
 namespace test_plot_widget {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using series::Quantity;
 
 namespace {

@@ -10,7 +10,7 @@
 namespace test_projection_draft {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using map::ProjectionFlaw;
 using List = ProjectionDraft::List;
 

@@ -12,7 +12,7 @@
 namespace test_timeline {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using replay::Event;
 using replay::EventKind;
 

@@ -23,7 +23,7 @@
 namespace test_tools {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 
@@ -163,7 +163,7 @@ struct Hand {
   void openWaypoints(const Eigen::Vector2d& at_m) {
     document.reset({{"a", test::waypoint("a", at_m.x(), at_m.y(), "Dock")}});
     points.put("a", at_m);
-    hits.add(scene::Layer::Waypoints, &points);
+    hits.add(ui::scene::Layer::Waypoints, &points);
     waypoints.setDocument(&document, {});
     waypoints.select({"a"});
   }
@@ -192,7 +192,7 @@ struct Hand {
   static constexpr QPoint kTo{490, 240};
   QPoint from{400, 300};
 
-  scene::MapScene scene{{}};
+  ui::scene::MapScene scene{{}};
   MapView view{&scene};
   PanTool nothing;
   HitList hits;

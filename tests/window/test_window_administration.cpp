@@ -18,7 +18,7 @@
 namespace test_window_administration {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using robot::MapChange;
 using robot::Obstacle;
 using test::Bench;
@@ -464,10 +464,10 @@ class TestWindowAdministration : public QObject {
     QVERIFY2(!title().contains(QLatin1String("Ground floor")), qPrintable(title()));
     QVERIFY(title().contains(QLatin1String("live map")));
     QVERIFY(!desk.bench.window->session()->placesOf(slot));  // its waypoints are those of another map
-    QCOMPARE(desk.bench.window->mapScene()->robotPlace().drawn, scene::ScreenPart::All);
+    QCOMPARE(desk.bench.window->mapScene()->robotPlace().drawn, ui::scene::ScreenPart::All);
     desk.bench.window->session()->openMap({map::MapKind::Stored, "1"});
     QTRY_COMPARE(slot.phase(), session::MapSlot::Phase::Ready);
-    QCOMPARE(desk.bench.window->mapScene()->robotPlace().drawn, scene::ScreenPart::None);
+    QCOMPARE(desk.bench.window->mapScene()->robotPlace().drawn, ui::scene::ScreenPart::None);
     // It names the map again once the robot uses one.
     desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
     Q_EMIT desk.bench.robot->mapsChanged();

@@ -24,7 +24,7 @@
 namespace test_window_carry {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::FakeRobot;
 using test::FakeWaypointStore;
 using test::kFile;

@@ -16,8 +16,8 @@ namespace test_window_certificates {
 
 using namespace mapwright;
 using namespace mapwright::test;
-using window::CertificateDialog;
-using window::TrustedCertificates;
+using ui::CertificateDialog;
+using ui::TrustedCertificates;
 
 namespace {
 
@@ -67,7 +67,7 @@ class WindowCertificatesTest : public QObject {
     bench.robot->setState(state);
   }
   static CertificateDialog* look(Bench& bench) {
-    auto* card = bench.window->findChild<window::EmptyStateCard*>();
+    auto* card = bench.window->findChild<ui::EmptyStateCard*>();
     QPushButton* const offer = card ? button(*card, QStringLiteral("Certificate…")) : nullptr;
     if (offer) offer->click();
     return bench.window->findChild<CertificateDialog*>();
@@ -77,7 +77,7 @@ class WindowCertificatesTest : public QObject {
   void isSaidInTheMiddleOfTheMapAndShownInFull() {
     Bench bench;
     openOn(bench, refused(kFirst));
-    auto* card = bench.window->findChild<window::EmptyStateCard*>();
+    auto* card = bench.window->findChild<ui::EmptyStateCard*>();
     QVERIFY(card && card->isVisible());
     QVERIFY(textOf(*card).contains(QStringLiteral("not trusted")));
     QVERIFY(textOf(*card).contains(QStringLiteral("it is self-signed")));
@@ -153,7 +153,7 @@ class WindowCertificatesTest : public QObject {
     QVERIFY(!bench.window->connectTo(kAddress));
     bench.load();
     bench.robot->setState(refused(kSecond, kFirst));
-    window::NoticeBar* const notice = window::part<window::MapOverlay>(*bench.window)->notice();
+    ui::NoticeBar* const notice = ui::part<ui::MapOverlay>(*bench.window)->notice();
     QVERIFY(notice);
     QTRY_VERIFY(notice->isVisible());
     QPushButton* const offer = button(*notice, QStringLiteral("Certificate…"));
@@ -167,7 +167,7 @@ class WindowCertificatesTest : public QObject {
     bench.open();
     QVERIFY(!bench.window->connectTo(kAddress));
     bench.load();
-    window::NoticeBar* const notice = window::part<window::MapOverlay>(*bench.window)->notice();
+    ui::NoticeBar* const notice = ui::part<ui::MapOverlay>(*bench.window)->notice();
     robot::UntrustedCertificate beside = *refused(kSecond).certificate;
     beside.host = QStringLiteral("192.0.2.7:9090");
     bench.robot->beside = beside;
@@ -193,7 +193,7 @@ class WindowCertificatesTest : public QObject {
     Bench bench;
     TrustedCertificates trusted(bench.settings);
     const QString address = QStringLiteral("axbot+https://192.0.2.7:8090");
-    window::RecentRobots recents(bench.settings, knownAddresses());
+    ui::RecentRobots recents(bench.settings, knownAddresses());
     recents.add(address, QDateTime::currentDateTime());
     trusted.trust(kHost, kFirst);
     trusted.trust(QStringLiteral("192.0.2.8:8090"), kSecond);

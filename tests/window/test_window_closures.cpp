@@ -21,7 +21,7 @@
 namespace test_window_closures {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 
@@ -138,7 +138,7 @@ class TestWindowClosures : public QObject {
     ClosuresDock& dock = desk.openDock();
     QTRY_COMPARE(dock.model()->rowCount(), 3);
     desk.load();
-    desk.window->mapScene()->setLayersVisible({scene::Layer::Closures});
+    desk.window->mapScene()->setLayersVisible({ui::scene::Layer::Closures});
     MapView& view = *part<MapView>(*desk.window);
     view.fit({15, -3, 25, 6}, false);
     const auto click = [&](double x, double y) {
@@ -168,10 +168,10 @@ class TestWindowClosures : public QObject {
     ClosuresDock& dock = desk.openDock();
     QTRY_COMPARE(dock.model()->rowCount(), 3);
     desk.load();
-    scene::MapScene& scene = *desk.window->mapScene();
-    scene.setLayersVisible({scene::Layer::Closures});
+    ui::scene::MapScene& scene = *desk.window->mapScene();
+    scene.setLayersVisible({ui::scene::Layer::Closures});
     // Of what is drawn; the three lines begin at x = 2, 20 and 20, that of a constraint within a submap at 1.
-    const auto on_map = [&] { return scene.layerBounds(scene::Layer::Closures); };
+    const auto on_map = [&] { return scene.layerBounds(ui::scene::Layer::Closures); };
     using geometry::WorldRect;
     const auto says = [&](const QString& words) {
       const auto labels = dock.findChildren<PlainLabel*>();
@@ -193,9 +193,9 @@ class TestWindowClosures : public QObject {
     desk.graph.graph.constraints[2].relative_pose.y = 4;
     Q_EMIT desk.robot->mapsChanged();
     QTRY_COMPARE(on_map(), (WorldRect{20, 0, 20, 4}));
-    scene.setLayerVisible(scene::Layer::Closures, false);
+    scene.setLayerVisible(ui::scene::Layer::Closures, false);
     QVERIFY(says(QStringLiteral("1 of 4 constraints")));
-    scene.setLayerVisible(scene::Layer::Closures, true);
+    scene.setLayerVisible(ui::scene::Layer::Closures, true);
     // What a closed panel leaves out cannot be known.
     dock.close();
     QCOMPARE(on_map(), (WorldRect{2, 0, 20, 4}));
@@ -204,8 +204,8 @@ class TestWindowClosures : public QObject {
   }
 
   void aSquareIsWhereTheRobotShouldLie() {
-    scene::MapScene scene{render::TileRenderer::Options{}};
-    for (const scene::Layer layer : scene::allLayers()) scene.setLayerVisible(layer, false);
+    ui::scene::MapScene scene{render::TileRenderer::Options{}};
+    for (const ui::scene::Layer layer : ui::scene::allLayers()) scene.setLayerVisible(layer, false);
     geometry::ViewTransform view;  // a pixel is 5 cm
     view.width_px = 400;
     view.height_px = 300;
@@ -218,9 +218,9 @@ class TestWindowClosures : public QObject {
       return image;
     };
     const QImage ground = painted();
-    scene::MapObject closure;
-    closure.id.layer = scene::Layer::Closures;
-    closure.form = scene::ObjectForm::Line;
+    ui::scene::MapObject closure;
+    closure.id.layer = ui::scene::Layer::Closures;
+    closure.form = ui::scene::ObjectForm::Line;
     closure.parts = {{{-2, 0}, {2, 0}}};
     scene.setMarked(closure);
     const QImage marked = painted();
@@ -304,7 +304,7 @@ class TestWindowClosures : public QObject {
     QVERIFY(!desk.window->connectTo(kAddress));
     QTRY_VERIFY(desk.window->session());
     QCOMPARE(desk.graph.asked, 0);
-    desk.window->mapScene()->setLayerVisible(scene::Layer::Closures, true);
+    desk.window->mapScene()->setLayerVisible(ui::scene::Layer::Closures, true);
     QTRY_COMPARE(desk.graph.asked, 1);
     // It may be another one now.
     Q_EMIT desk.robot->mapsChanged();

@@ -27,7 +27,7 @@
 namespace test_window_clouds {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using Cloud = std::shared_ptr<const map::SpatialCloud>;
 
 namespace {
@@ -347,12 +347,14 @@ class TestWindowClouds : public QObject {
   void coloursAndSizesAreThoseOfTheLayer() {
     Desk desk;
     desk.open();
-    Q_EMIT desk.dock().colorBox()->activated(int(scene::DispatchedCloudChoice::OneColor));
+    Q_EMIT desk.dock().colorBox()->activated(int(ui::scene::DispatchedCloudChoice::OneColor));
     desk.dock().sizeBox()->setValue(5);
-    const scene::LayerStyle& style = desk.window->mapScene()->layerStyle(scene::Layer::DispatchedCloud);
-    QCOMPARE(style.choice, int(scene::DispatchedCloudChoice::OneColor));
+    const ui::scene::LayerStyle& style =
+        desk.window->mapScene()->layerStyle(ui::scene::Layer::DispatchedCloud);
+    QCOMPARE(style.choice, int(ui::scene::DispatchedCloudChoice::OneColor));
     QCOMPARE(style.size, 5.0);
-    desk.window->mapScene()->setLayerStyle(scene::Layer::DispatchedCloud, scene::LayerStyle{QColor(), 0, 1});
+    desk.window->mapScene()->setLayerStyle(ui::scene::Layer::DispatchedCloud,
+                                           ui::scene::LayerStyle{QColor(), 0, 1});
     QCOMPARE(desk.dock().colorBox()->currentIndex(), 1);
   }
 
@@ -456,7 +458,7 @@ class TestWindowClouds : public QObject {
     QTRY_VERIFY2(scale->values().first().startsWith(QStringLiteral("0.5")),
                  qPrintable(scale->values().first()));
     // One colour for all means nothing.
-    Q_EMIT desk.dock().colorBox()->activated(int(scene::DispatchedCloudChoice::OneColor));
+    Q_EMIT desk.dock().colorBox()->activated(int(ui::scene::DispatchedCloudChoice::OneColor));
     QTRY_VERIFY(scale->isHidden());
   }
   void bandsThatCoverEachOtherHaveTheirNumbersSideBySide() {

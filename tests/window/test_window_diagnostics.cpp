@@ -17,7 +17,7 @@
 namespace test_window_diagnostics {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 
 class WindowDiagnosticsTest : public QObject {

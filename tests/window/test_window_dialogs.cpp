@@ -25,7 +25,7 @@
 
 namespace test_window_dialogs {
 
-using namespace mapwright::window;
+using namespace mapwright::ui;
 namespace robot = mapwright::robot;
 
 namespace {

@@ -23,11 +23,11 @@
 namespace test_window_disagreement {
 
 using namespace mapwright;
-using namespace mapwright::window;
-using scene::Layer;
+using namespace mapwright::ui;
 using test::Bench;
 using test::entry;
 using test::kAddress;
+using ui::scene::Layer;
 
 namespace {
 
@@ -154,7 +154,7 @@ class TestWindowDisagreement : public QObject {
     }
     const agreement::Place& place = desk.dock.model()->place(2);
     const Eigen::Vector2d at(place.x, place.y);
-    const scene::MapScene& scene = *desk.window.mapScene();
+    const ui::scene::MapScene& scene = *desk.window.mapScene();
     QTRY_VERIFY((scene.view().center_m - at).norm() < 1e-6);
     QCOMPARE(scene.highlighted(), (Ids{{0, 0}, {0, 1}}));
     // Its square takes a fifth of the view.
@@ -316,7 +316,7 @@ class TestWindowDisagreement : public QObject {
   void onlyTheFramesOfThePlaceAreDrawnWhileItIsSteppedThrough() {
     Desk desk({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 0, 2), entry(0, 2, 1, 10, 0)});
     QVERIFY(desk.found());
-    scene::MapScene& scene = *desk.window.mapScene();
+    ui::scene::MapScene& scene = *desk.window.mapScene();
     scene.setLayersVisible({Layer::Outlines});
     desk.clickRow(0);
     part<MapView>(desk.window)->fit({-15, -15, 15, 15}, false);
@@ -483,7 +483,7 @@ class TestWindowDisagreement : public QObject {
   void nothingIsLookedForUnlessItIsSeen() {
     Desk desk(contradicting(), false);
     QTRY_COMPARE(desk.window.session()->counts().shown, 3);
-    scene::MapScene& scene = *desk.window.mapScene();
+    ui::scene::MapScene& scene = *desk.window.mapScene();
     QCoreApplication::processEvents();
     QVERIFY(scene.layerBounds(Layer::Coverage).empty());
     scene.setLayerVisible(Layer::Coverage, true);
@@ -493,7 +493,7 @@ class TestWindowDisagreement : public QObject {
 
   void theBoxShowsTheLayer() {
     Desk desk;
-    scene::MapScene& scene = *desk.window.mapScene();
+    ui::scene::MapScene& scene = *desk.window.mapScene();
     QVERIFY(!scene.layerVisible(Layer::Disagreement) && !desk.dock.layerBox()->isChecked());
     desk.dock.layerBox()->click();
     QVERIFY(scene.layerVisible(Layer::Disagreement));

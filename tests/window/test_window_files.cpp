@@ -25,7 +25,7 @@ namespace test_window_files {
 
 using namespace mapwright;
 using namespace mapwright::jobs;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 

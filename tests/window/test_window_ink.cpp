@@ -18,7 +18,7 @@
 namespace test_window_ink {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::ink;
 using test::kAddress;

@@ -19,7 +19,7 @@
 namespace test_window_inspector {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 

@@ -28,7 +28,7 @@
 namespace test_window_kabam_picture {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using picture::CellRect;
 
 namespace {

@@ -28,14 +28,14 @@
 namespace test_window_layers {
 
 using namespace mapwright;
-using namespace mapwright::window;
-using scene::Layer;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
+using ui::scene::Layer;
 
 namespace {
 
-std::ptrdiff_t layerIndexOf(const scene::MapScene& scene, Layer layer) {
+std::ptrdiff_t layerIndexOf(const ui::scene::MapScene& scene, Layer layer) {
   const std::vector<Layer>& order = scene.layerOrder();
   return std::find(order.begin(), order.end(), layer) - order.begin();
 }
@@ -53,9 +53,9 @@ void dragTo(LayersDock& dock, LayerRow* row, const LayerRow* target) {
   QTest::mouseRelease(row, Qt::LeftButton, {}, from);
 }
 
-std::set<Layer> shownIn(const scene::MapScene& scene) {
+std::set<Layer> shownIn(const ui::scene::MapScene& scene) {
   std::set<Layer> shown;
-  for (const Layer layer : scene::allLayers()) {
+  for (const Layer layer : ui::scene::allLayers()) {
     if (scene.layerVisible(layer)) shown.insert(layer);
   }
   return shown;
@@ -93,7 +93,7 @@ class TestWindowLayers : public QObject {
   void hasARowForEveryLayerTheTopOneOnTop() {
     Bench bench;
     MainWindow& window = bench.open();
-    for (const Layer layer : scene::allLayers()) QVERIFY(part<LayersDock>(window)->row(layer));
+    for (const Layer layer : ui::scene::allLayers()) QVERIFY(part<LayersDock>(window)->row(layer));
     QVERIFY(part<LayersDock>(window)->row(Layer::Robot)->y() <
             part<LayersDock>(window)->row(Layer::Submaps)->y());
     QVERIFY(part<LayersDock>(window)->row(Layer::Submaps)->y() <
@@ -126,7 +126,7 @@ class TestWindowLayers : public QObject {
     expected.insert(std::find(expected.begin(), expected.end(), Layer::Grid), Layer::Waypoints);
     QCOMPARE(window.mapScene()->layerOrder(), expected);
     QVERIFY(dock.row(Layer::Waypoints)->y() > dock.row(Layer::Grid)->y());
-    QVERIFY(dock.row(Layer::Waypoints)->y() < dock.header(scene::LayerGroup::Map)->y());
+    QVERIFY(dock.row(Layer::Waypoints)->y() < dock.header(ui::scene::LayerGroup::Map)->y());
     // Upwards it never passes the scale bar.
     dragTo(dock, dock.row(Layer::Waypoints), dock.row(Layer::Robot));
     QCOMPARE(window.mapScene()->layerOrder().back(), Layer::ScaleBar);
@@ -138,15 +138,15 @@ class TestWindowLayers : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     LayersDock& dock = *part<LayersDock>(window);
-    std::map<scene::LayerGroup, int> last;
+    std::map<ui::scene::LayerGroup, int> last;
     const std::vector<Layer>& order = window.mapScene()->layerOrder();
     for (auto it = order.rbegin(); it != order.rend(); ++it) {
-      const scene::LayerGroup group = scene::specOf(*it).group;
+      const ui::scene::LayerGroup group = ui::scene::specOf(*it).group;
       const int y = dock.row(*it)->y();
       QVERIFY(y > dock.header(group)->y());
       if (last.contains(group)) QVERIFY(y > last[group]);
       last[group] = y;
-      for (const scene::LayerGroup other : scene::kLayerGroups) {
+      for (const ui::scene::LayerGroup other : ui::scene::kLayerGroups) {
         if (other > group) QVERIFY(y < dock.header(other)->y());
       }
     }
@@ -158,20 +158,20 @@ class TestWindowLayers : public QObject {
     {
       MainWindow& window = bench.open();
       LayersDock& dock = *part<LayersDock>(window);
-      QTest::mouseClick(dock.header(scene::LayerGroup::Map), Qt::LeftButton);
+      QTest::mouseClick(dock.header(ui::scene::LayerGroup::Map), Qt::LeftButton);
       QVERIFY(!dock.row(Layer::Submaps)->isVisible());
       QVERIFY(dock.row(Layer::Cloud)->isVisible());
       QVERIFY(window.mapScene()->layerVisible(Layer::Submaps));
-      QTest::keyClick(dock.header(scene::LayerGroup::Environment), Qt::Key_Left);
+      QTest::keyClick(dock.header(ui::scene::LayerGroup::Environment), Qt::Key_Left);
       QVERIFY(!dock.row(Layer::Cloud)->isVisible());
-      QTest::keyClick(dock.header(scene::LayerGroup::Environment), Qt::Key_Right);
+      QTest::keyClick(dock.header(ui::scene::LayerGroup::Environment), Qt::Key_Right);
       QVERIFY(dock.row(Layer::Cloud)->isVisible());
       window.close();
     }
     MainWindow& again = bench.open();
     LayersDock& dock = *part<LayersDock>(again);
     QVERIFY(!dock.row(Layer::Submaps)->isVisible());
-    QVERIFY(!dock.header(scene::LayerGroup::Map)->open());
+    QVERIFY(!dock.header(ui::scene::LayerGroup::Map)->open());
     bench.action("resetLayout")->trigger();
     QVERIFY(dock.row(Layer::Submaps)->isVisible());
   }
@@ -180,7 +180,7 @@ class TestWindowLayers : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     LayersDock& dock = *part<LayersDock>(window);
-    FoldHeader* const map = dock.header(scene::LayerGroup::Map);
+    FoldHeader* const map = dock.header(ui::scene::LayerGroup::Map);
     map->setFocus();
     QTest::keyClick(map, Qt::Key_Up);
     QVERIFY(dock.row(Layer::Grid)->hasFocus());
@@ -194,18 +194,18 @@ class TestWindowLayers : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     LayersDock& dock = *part<LayersDock>(window);
-    dock.header(scene::LayerGroup::Environment)->click();
+    dock.header(ui::scene::LayerGroup::Environment)->click();
     QTest::keyClicks(dock.filterField(), QStringLiteral("lidar"));
     QVERIFY(dock.row(Layer::Cloud)->isVisible());  // although its group is folded
     QVERIFY(!dock.row(Layer::Path)->isVisible());
-    QVERIFY(!dock.header(scene::LayerGroup::Robot)->isVisible());
+    QVERIFY(!dock.header(ui::scene::LayerGroup::Robot)->isVisible());
     dock.filterField()->clear();
     QVERIFY(!dock.row(Layer::Cloud)->isVisible());
     QTest::keyClicks(dock.filterField(), QStringLiteral("COSTMAP-H"));  // as the command line calls it
     QVERIFY(dock.row(Layer::CostmapHigh)->isVisible());
     QVERIFY(!dock.row(Layer::CostmapLow)->isVisible());
     QTest::keyClicks(dock.filterField(), QStringLiteral("x"));
-    for (const Layer layer : scene::allLayers()) QVERIFY(!dock.row(layer)->isVisible());
+    for (const Layer layer : ui::scene::allLayers()) QVERIFY(!dock.row(layer)->isVisible());
   }
 
   void altClickShowsALayerAloneAndTheNextWhatWasThereBefore() {
@@ -273,8 +273,8 @@ class TestWindowLayers : public QObject {
   void builtInPresetsChooseTheLayersAndLeaveTheMapAndStylesAlone() {
     Bench bench;
     MainWindow& window = bench.open();
-    scene::MapScene& scene = *window.mapScene();
-    const scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
+    ui::scene::MapScene& scene = *window.mapScene();
+    const ui::scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
     scene.setLayerStyle(Layer::Cloud, style);
     scene.setLayerVisible(Layer::WholeMap, true);
     bench.action("layersMapOnly")->trigger();
@@ -286,7 +286,7 @@ class TestWindowLayers : public QObject {
     bench.action("layersMapping")->trigger();
     QVERIFY(scene.layerVisible(Layer::Constraints) && !scene.layerVisible(Layer::CostmapLow));
     bench.action("layersAll")->trigger();
-    QCOMPARE(shownIn(scene).size(), scene::allLayers().size());
+    QCOMPARE(shownIn(scene).size(), ui::scene::allLayers().size());
     QCOMPARE(scene.layerStyle(Layer::Cloud), style);
     QMenu& menu = *part<LayersController>(window)->presets()->menu();
     QVERIFY(entry(menu, QStringLiteral("Layers: All"))->isChecked());
@@ -322,11 +322,11 @@ class TestWindowLayers : public QObject {
 
   void presetsAreSavedRenamedAndDeleted() {
     Bench bench;
-    const scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
+    const ui::scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
     const QString first = QStringLiteral("Dock & lift"), listed = QStringLiteral("Layers: Dock & lift");
     {
       MainWindow& window = bench.open();
-      scene::MapScene& scene = *window.mapScene();
+      ui::scene::MapScene& scene = *window.mapScene();
       PresetMenu& presets = *part<LayersController>(window)->presets();
       scene.setLayersVisible({Layer::Submaps, Layer::Cloud, Layer::Robot});
       scene.setLayerStyle(Layer::Cloud, style);
@@ -341,7 +341,7 @@ class TestWindowLayers : public QObject {
       QTest::keyClick(dialog->field(), Qt::Key_Return);
       QCOMPARE(presets.own().size(), std::size_t(1));
       bench.action("resetLayout")->trigger();
-      QVERIFY(scene.layerStyle(Layer::Cloud) == scene::LayerStyle{} && scene.layerVisible(Layer::Path));
+      QVERIFY(scene.layerStyle(Layer::Cloud) == ui::scene::LayerStyle{} && scene.layerVisible(Layer::Path));
       QCOMPARE(presets.own().size(), std::size_t(1));  // resetting deletes none
       CommandPalette palette(window.actionList(), Findings(), nullptr);
       QTest::keyClicks(palette.field(), QStringLiteral("dock lift"));
@@ -349,7 +349,7 @@ class TestWindowLayers : public QObject {
       window.close();
     }
     MainWindow& window = bench.open();
-    scene::MapScene& scene = *window.mapScene();
+    ui::scene::MapScene& scene = *window.mapScene();
     PresetMenu& presets = *part<LayersController>(window)->presets();
     QVERIFY(entry(*presets.menu(), listed));
     entry(*presets.menu(), listed)->trigger();
@@ -430,7 +430,7 @@ class TestWindowLayers : public QObject {
     QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud).color, QColor(10, 200, 30));
     editor->choiceBox()->setCurrentIndex(2);
     Q_EMIT editor->choiceBox()->activated(2);
-    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud).choice, int(scene::CloudChoice::Height));
+    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud).choice, int(ui::scene::CloudChoice::Height));
     QTest::mouseClick(cloud->settings(), Qt::LeftButton);
     QVERIFY(!editor->isVisible());
   }
@@ -438,7 +438,7 @@ class TestWindowLayers : public QObject {
   void remembersOrderOpacityVisibilityAndStyles() {
     Bench bench;
     std::vector<Layer> order;
-    const scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
+    const ui::scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
     {
       MainWindow& window = bench.open();
       LayerRow* path = part<LayersDock>(window)->row(Layer::Path);
@@ -449,7 +449,7 @@ class TestWindowLayers : public QObject {
       window.mapScene()->setLayerStyle(Layer::Cloud, style);
       QTest::mouseClick(part<LayersDock>(window)->findChild<QToolButton*>(QStringLiteral("layersInOrder")),
                         Qt::LeftButton);
-      QVERIFY(!part<LayersDock>(window)->header(scene::LayerGroup::Map)->isVisible());
+      QVERIFY(!part<LayersDock>(window)->header(ui::scene::LayerGroup::Map)->isVisible());
       window.close();
     }
     MainWindow& again = bench.open();
@@ -460,8 +460,8 @@ class TestWindowLayers : public QObject {
     QVERIFY(!part<LayersDock>(again)->grouped());
     bench.action("resetLayout")->trigger();
     QVERIFY(part<LayersDock>(again)->grouped());
-    QCOMPARE(again.mapScene()->layerOrder(), scene::allLayers());
-    QCOMPARE(again.mapScene()->layerStyle(Layer::Cloud), scene::LayerStyle{});
+    QCOMPARE(again.mapScene()->layerOrder(), ui::scene::allLayers());
+    QCOMPARE(again.mapScene()->layerStyle(Layer::Cloud), ui::scene::LayerStyle{});
   }
 
   void takesNothingFromBrokenSettings() {
@@ -472,8 +472,8 @@ class TestWindowLayers : public QObject {
     bench.settings.setValue(QStringLiteral("layers/cloud/color"), QStringLiteral("no colour"));
     bench.settings.setValue(QStringLiteral("layers/path/opacity"), -3);
     MainWindow& window = bench.open();
-    QCOMPARE(window.mapScene()->layerOrder(), scene::allLayers());
-    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud), scene::LayerStyle{});
+    QCOMPARE(window.mapScene()->layerOrder(), ui::scene::allLayers());
+    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud), ui::scene::LayerStyle{});
     QCOMPARE(window.mapScene()->layerOpacity(Layer::Path), 0.0);
   }
 
@@ -539,12 +539,12 @@ class TestWindowLayers : public QObject {
     QVERIFY(!dock.unavailableHeader()->isVisible());
     QVERIFY(!window.connectTo(kAddress));
     int lacking = 0;
-    for (const Layer layer : scene::allLayers()) lacking += !dock.row(layer)->unavailable().isEmpty();
+    for (const Layer layer : ui::scene::allLayers()) lacking += !dock.row(layer)->unavailable().isEmpty();
     QVERIFY(dock.unavailableHeader()->isVisible());
     QCOMPARE(dock.unavailableHeader()->text(),
              QStringLiteral("%1 layers that this robot has no data for").arg(lacking));
     for (const Layer layer : {Layer::Submaps, Layer::Ids, Layer::Cloud, Layer::Robot}) {
-      QVERIFY2(!dock.row(layer)->unavailable().isEmpty(), qPrintable(scene::layerName(layer)));
+      QVERIFY2(!dock.row(layer)->unavailable().isEmpty(), qPrintable(ui::scene::layerName(layer)));
       QVERIFY(!dock.row(layer)->isVisible());
       QVERIFY(!dock.eye(layer)->isEnabled());
     }
@@ -564,8 +564,8 @@ class TestWindowLayers : public QObject {
     Q_EMIT bench.robot->capabilitiesChanged();
     const LayerRow* const cloud = dock.row(Layer::Cloud);
     QVERIFY(cloud->isVisible() && cloud->unavailable().isEmpty());
-    QVERIFY(cloud->y() > dock.header(scene::LayerGroup::Environment)->y());
-    QVERIFY(cloud->y() < dock.header(scene::LayerGroup::Map)->y());
+    QVERIFY(cloud->y() > dock.header(ui::scene::LayerGroup::Environment)->y());
+    QVERIFY(cloud->y() < dock.header(ui::scene::LayerGroup::Map)->y());
     QCOMPARE(dock.eye(Layer::Cloud)->isChecked(), shown);
     QVERIFY(!dock.row(Layer::Submaps)->unavailable().isEmpty());
     window.leaveRobot();

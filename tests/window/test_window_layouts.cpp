@@ -42,7 +42,7 @@
 namespace test_window_layouts {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 using test::WaypointsDesk;

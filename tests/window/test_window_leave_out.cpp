@@ -24,7 +24,7 @@
 namespace test_window_leave_out {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using pbstream::tests::Folder;
 
 namespace {
@@ -136,17 +136,17 @@ class TestWindowLeaveOut : public QObject {
  private Q_SLOTS:
   void aStateFileIsNotTakenForARobot() {
     FileDesk desk;
-    using scene::Layer;
+    using ui::scene::Layer;
     auto& layers = *part<LayersDock>(*desk.window);
     for (const Layer of_robots : {Layer::Robot, Layer::Footprint, Layer::Trail, Layer::Track, Layer::Cloud,
                                   Layer::Path, Layer::NearbyRobots, Layer::WholeMap, Layer::Overlays})
-      QVERIFY2(!layers.row(of_robots)->unavailable().isEmpty(), qPrintable(scene::layerName(of_robots)));
+      QVERIFY2(!layers.row(of_robots)->unavailable().isEmpty(), qPrintable(ui::scene::layerName(of_robots)));
     for (const Layer of_file :
          {Layer::Submaps, Layer::Trajectory, Layer::Closures, Layer::Landmarks, Layer::Outlines, Layer::Grid})
-      QVERIFY2(layers.row(of_file)->unavailable().isEmpty(), qPrintable(scene::layerName(of_file)));
+      QVERIFY2(layers.row(of_file)->unavailable().isEmpty(), qPrintable(ui::scene::layerName(of_file)));
     QVERIFY(layers.unavailableHeader()->text().contains(QStringLiteral("this file has no data for")));
-    for (const scene::LegendSection& section : desk.window->mapScene()->legend(1))
-      QVERIFY2(section.title != scene::layerTitle(Layer::Robot), qPrintable(section.title));
+    for (const ui::scene::LegendSection& section : desk.window->mapScene()->legend(1))
+      QVERIFY2(section.title != ui::scene::layerTitle(Layer::Robot), qPrintable(section.title));
     QAction* const follow = desk.window->actionList().find(QLatin1String("follow"));
     follow->trigger();
     QVERIFY(!follow->isChecked() && !part<MapView>(*desk.window)->following());

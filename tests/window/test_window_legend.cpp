@@ -20,10 +20,10 @@
 namespace test_window_legend {
 
 using namespace mapwright;
-using namespace mapwright::window;
-using scene::Layer;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
+using ui::scene::Layer;
 
 namespace {
 
@@ -35,8 +35,8 @@ QStringList textsOf(const LegendDock& dock) {
 }
 
 QImage symbolOf(const LegendDock& dock, const QString& text) {
-  for (const scene::LegendSection& section : dock.shown()) {
-    for (const scene::LegendRow& row : section.rows) {
+  for (const ui::scene::LegendSection& section : dock.shown()) {
+    for (const ui::scene::LegendRow& row : section.rows) {
       if (row.text == text) return row.symbol;
     }
   }
@@ -45,7 +45,7 @@ QImage symbolOf(const LegendDock& dock, const QString& text) {
 
 QStringList titlesOf(const LegendDock& dock) {
   QStringList titles;
-  for (const scene::LegendSection& section : dock.shown()) titles << section.title;
+  for (const ui::scene::LegendSection& section : dock.shown()) titles << section.title;
   return titles;
 }
 
@@ -118,8 +118,8 @@ class TestWindowLegend : public QObject {
     LegendDock& dock = opened(window);
     showOnly(window, {layer});
     const QColor wanted(10, 200, 30);
-    scene::LayerStyle style;
-    if (layer == Layer::DispatchedCloud) style.choice = int(scene::DispatchedCloudChoice::OneColor);
+    ui::scene::LayerStyle style;
+    if (layer == Layer::DispatchedCloud) style.choice = int(ui::scene::DispatchedCloudChoice::OneColor);
     window.mapScene()->setLayerStyle(layer, style);
     QTRY_VERIFY(!symbolOf(dock, text).isNull());
     QVERIFY(!holds(symbolOf(dock, text), wanted));
@@ -164,7 +164,7 @@ class TestWindowLegend : public QObject {
     LegendDock& dock = opened(window);
     showOnly(window, {layer});
     QTRY_COMPARE(dock.shown().size(), std::size_t(1));
-    const std::vector<scene::LegendRow>& rows = dock.shown().front().rows;
+    const std::vector<ui::scene::LegendRow>& rows = dock.shown().front().rows;
     QCOMPARE(int(rows.size()), states);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       for (std::size_t k = i + 1; k < rows.size(); ++k)
@@ -178,14 +178,14 @@ class TestWindowLegend : public QObject {
     LegendDock& dock = opened(window);
     showOnly(window, {Layer::Overlays});
     QTRY_COMPARE(dock.shown().size(), std::size_t(1));
-    const scene::MapTheme& theme = window.mapScene()->theme();
+    const ui::scene::MapTheme& theme = window.mapScene()->theme();
     // Hatched, and apart from the others in the same red.
     QVERIFY(!symbolOf(dock, QStringLiteral("Forbidden region")).isNull());
     QVERIFY(holds(symbolOf(dock, QStringLiteral("Virtual wall")), theme.bad));
     QVERIFY(holds(symbolOf(dock, QStringLiteral("Charger, Docking point")), theme.good));
     QVERIFY(holds(symbolOf(dock, QStringLiteral("Other points")), theme.place));
     std::vector<QImage> symbols;
-    for (const scene::LegendRow& row : dock.shown().front().rows) {
+    for (const ui::scene::LegendRow& row : dock.shown().front().rows) {
       QVERIFY2(std::find(symbols.begin(), symbols.end(), row.symbol) == symbols.end(), qPrintable(row.text));
       symbols.push_back(row.symbol);
     }
@@ -196,9 +196,9 @@ class TestWindowLegend : public QObject {
     MainWindow& window = bench.open();
     LegendDock& dock = opened(window);
     showOnly(window, {Layer::Cloud});
-    window.mapScene()->setLayerStyle(Layer::Cloud, {{}, 0, int(scene::CloudChoice::Height)});
+    window.mapScene()->setLayerStyle(Layer::Cloud, {{}, 0, int(ui::scene::CloudChoice::Height)});
     QTRY_VERIFY(!dock.shown().empty() && !dock.shown().front().rows.front().high.isEmpty());
-    const scene::LegendRow& row = dock.shown().front().rows.front();
+    const ui::scene::LegendRow& row = dock.shown().front().rows.front();
     QCOMPARE(row.low, QStringLiteral("0 m"));
     QCOMPARE(row.high, QStringLiteral("2.5 m"));
     const int middle = row.symbol.height() / 2, width = row.symbol.width();
@@ -215,11 +215,11 @@ class TestWindowLegend : public QObject {
     LegendDock& dock = opened(window);
     showOnly(window, {Layer::Path});
     const QString text = QStringLiteral("Planned path to the target");
-    QTRY_VERIFY(holds(symbolOf(dock, text), scene::lightMapTheme().path));
+    QTRY_VERIFY(holds(symbolOf(dock, text), ui::scene::lightMapTheme().path));
     bench.action("themeDark")->trigger();
-    QTRY_VERIFY(holds(symbolOf(dock, text), scene::darkMapTheme().path));
+    QTRY_VERIFY(holds(symbolOf(dock, text), ui::scene::darkMapTheme().path));
     bench.action("themeLight")->trigger();
-    QTRY_VERIFY(holds(symbolOf(dock, text), scene::lightMapTheme().path));
+    QTRY_VERIFY(holds(symbolOf(dock, text), ui::scene::lightMapTheme().path));
   }
 
   void followsTheColoursOfSubmaps() {

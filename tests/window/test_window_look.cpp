@@ -30,7 +30,7 @@
 
 namespace test_window_look {
 
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 

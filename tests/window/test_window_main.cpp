@@ -35,7 +35,7 @@
 namespace test_window_main {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 
@@ -199,8 +199,8 @@ class TestWindowMain : public QObject {
       MainWindow& window = bench.open();
       part<LayersDock>(window)->close();
       bench.action("themeDark")->trigger();
-      window.mapScene()->setLayerVisible(scene::Layer::Grid, false);
-      window.mapScene()->setLayerOpacity(scene::Layer::Trail, 0.5);
+      window.mapScene()->setLayerVisible(ui::scene::Layer::Grid, false);
+      window.mapScene()->setLayerOpacity(ui::scene::Layer::Trail, 0.5);
       part<LayersController>(window)->setColorMode(render::ColorMode::Version);
       QVERIFY(!window.connectTo(kAddress));
       bench.key(Qt::Key_M);
@@ -210,13 +210,13 @@ class TestWindowMain : public QObject {
     QVERIFY(!part<LayersDock>(again)->isVisible());
     QVERIFY(part<InspectorDock>(again)->isVisible());
     QCOMPARE(part<AppearanceController>(again)->theme(), ThemeChoice::Dark);
-    QVERIFY(!again.mapScene()->layerVisible(scene::Layer::Grid));
-    QCOMPARE(again.mapScene()->layerOpacity(scene::Layer::Trail), 0.5);
+    QVERIFY(!again.mapScene()->layerVisible(ui::scene::Layer::Grid));
+    QCOMPARE(again.mapScene()->layerOpacity(ui::scene::Layer::Trail), 0.5);
     QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Version);
     QCOMPARE(again.view()->tool()->name(), QStringLiteral("measure"));
     bench.action("resetLayout")->trigger();
     QVERIFY(part<LayersDock>(again)->isVisible());
-    QVERIFY(again.mapScene()->layerVisible(scene::Layer::Grid));
+    QVERIFY(again.mapScene()->layerVisible(ui::scene::Layer::Grid));
     QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Normal);
     bench.action("themeSystem")->trigger();
   }

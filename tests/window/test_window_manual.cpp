@@ -18,7 +18,7 @@
 namespace test_window_manual {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 
 /// A window with the manual open, as hands find it.

@@ -30,7 +30,7 @@
 namespace test_window_map {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 
@@ -88,10 +88,10 @@ class TestWindowMap : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
-    const bool grid = window.mapScene()->layerVisible(scene::Layer::Grid);
+    const bool grid = window.mapScene()->layerVisible(ui::scene::Layer::Grid);
     window.view()->setFocus();
     bench.key(Qt::Key_G);
-    QCOMPARE(window.mapScene()->layerVisible(scene::Layer::Grid), !grid);
+    QCOMPARE(window.mapScene()->layerVisible(ui::scene::Layer::Grid), !grid);
     bench.key(Qt::Key_BracketLeft);
     QVERIFY(window.mapScene()->view().rotation_rad > 0);
     bench.key(Qt::Key_N);
@@ -116,7 +116,7 @@ class TestWindowMap : public QObject {
     QTest::keyClicks(filter, QStringLiteral("fgnrm0-"));
     QCOMPARE(filter->text(), QStringLiteral("fgnrm0-"));
     QCOMPARE(window.mapScene()->view(), camera);
-    QCOMPARE(window.mapScene()->layerVisible(scene::Layer::Grid), !grid);
+    QCOMPARE(window.mapScene()->layerVisible(ui::scene::Layer::Grid), !grid);
   }
 
   void singleKeysWorkWhereverTheFocusIs() {
@@ -146,13 +146,13 @@ class TestWindowMap : public QObject {
         if (!widget->hasFocus()) continue;  // it hands the focus on to a widget that is looked at by itself
         const QByteArray who = QByteArray(widget->metaObject()->className()) + ' ' +
                                widget->objectName().toUtf8() + " in " + dock->objectName().toUtf8();
-        const bool grid = window.mapScene()->layerVisible(scene::Layer::Grid);
+        const bool grid = window.mapScene()->layerVisible(ui::scene::Layer::Grid);
         const double turn = window.mapScene()->view().rotation_rad;
         QTest::keyClick(widget, Qt::Key_G);
         QTest::keyClick(widget, Qt::Key_BracketLeft);
         const bool free = !types(widget);
         (free ? others : fields) += 1;
-        QVERIFY2((window.mapScene()->layerVisible(scene::Layer::Grid) != grid) == free, who);
+        QVERIFY2((window.mapScene()->layerVisible(ui::scene::Layer::Grid) != grid) == free, who);
         QVERIFY2((window.mapScene()->view().rotation_rad != turn) == free, who);
       }
     }
@@ -383,13 +383,13 @@ class TestWindowMap : public QObject {
   void layersFollowTheScene() {
     Bench bench;
     MainWindow& window = bench.open();
-    QTest::mouseClick(part<LayersDock>(window)->eye(scene::Layer::Trail), Qt::LeftButton);
-    QVERIFY(!window.mapScene()->layerVisible(scene::Layer::Trail));
-    part<LayersDock>(window)->opacity(scene::Layer::Submaps)->setValue(40);
-    QCOMPARE(window.mapScene()->layerOpacity(scene::Layer::Submaps), 0.4);
-    window.mapScene()->setLayerVisible(scene::Layer::Ids, true);
+    QTest::mouseClick(part<LayersDock>(window)->eye(ui::scene::Layer::Trail), Qt::LeftButton);
+    QVERIFY(!window.mapScene()->layerVisible(ui::scene::Layer::Trail));
+    part<LayersDock>(window)->opacity(ui::scene::Layer::Submaps)->setValue(40);
+    QCOMPARE(window.mapScene()->layerOpacity(ui::scene::Layer::Submaps), 0.4);
+    window.mapScene()->setLayerVisible(ui::scene::Layer::Ids, true);
     QVERIFY(bench.action("showIds")->isChecked());
-    QVERIFY(part<LayersDock>(window)->eye(scene::Layer::Ids)->isChecked());
+    QVERIFY(part<LayersDock>(window)->eye(ui::scene::Layer::Ids)->isChecked());
   }
 
   void takesPictures() {

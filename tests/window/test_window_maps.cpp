@@ -28,10 +28,10 @@
 namespace test_window_maps {
 
 using namespace mapwright;
-using namespace mapwright::window;
-using scene::Layer;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
+using ui::scene::Layer;
 
 namespace {
 
@@ -287,17 +287,17 @@ class TestWindowMaps : public QObject {
     QTRY_VERIFY(ready(window));
     Q_EMIT part<MapsDock>(window)->compareWanted(stored("2"));
     CompareController& comparison = *part<CompareController>(window);
-    QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Swipe);
+    QCOMPARE(window.mapScene()->compareMode(), ui::scene::CompareMode::Swipe);
     QVERIFY(comparison.bar()->isVisible());
     QVERIFY(comparison.handle()->isVisible());
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QVERIFY(comparison.bar()->second()->currentText().startsWith(QLatin1String("<b>Attic</b>")));
     QTest::mouseClick(comparison.bar()->differenceButton(), Qt::LeftButton);
-    QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Difference);
+    QCOMPARE(window.mapScene()->compareMode(), ui::scene::CompareMode::Difference);
     QVERIFY(comparison.bar()->legendShown());
     QVERIFY(!comparison.handle()->isVisible());
     QTest::mouseClick(comparison.bar()->closeButton(), Qt::LeftButton);
-    QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Off);
+    QCOMPARE(window.mapScene()->compareMode(), ui::scene::CompareMode::Off);
     QVERIFY(!comparison.bar()->isVisible());
   }
 
@@ -320,18 +320,18 @@ class TestWindowMaps : public QObject {
     bench.robot->list({test::entry(0, 0, 1, 3, 2), test::entry(0, 1, 1, 3.5, 2.5)});
     QTRY_COMPARE(window.session()->counts().shown, 2);
     bench.key(mode);
-    scene::MapScene& scene = *window.mapScene();
+    ui::scene::MapScene& scene = *window.mapScene();
     const auto names = [&] { return halfNames(window.session(), scene); };
     QVERIFY(names().left.isEmpty());
     // The submaps against the whole map.
     bench.action("compare")->trigger();
-    QVERIFY(scene.halves().left == scene::HalfContent::Submaps);
+    QVERIFY(scene.halves().left == ui::scene::HalfContent::Submaps);
     QCOMPARE(names().left, QStringLiteral("Submaps of Ground floor"));
     QCOMPARE(names().right, QStringLiteral("Map 1"));
     // Two whole maps: no submaps, also while the second one is on its way.
     part<CompareController>(window)->start(SecondMap(stored("2")));
-    QVERIFY(scene.halves().left == scene::HalfContent::WholeMap);
-    QVERIFY(scene.halves().right == scene::HalfContent::ComparedMap);
+    QVERIFY(scene.halves().left == ui::scene::HalfContent::WholeMap);
+    QVERIFY(scene.halves().right == ui::scene::HalfContent::ComparedMap);
     QCOMPARE(names().left, QStringLiteral("Map 1"));
     QVERIFY(names().right.startsWith(QLatin1String("Fetching ")));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
@@ -361,7 +361,7 @@ class TestWindowMaps : public QObject {
     QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
     part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
-    scene::MapScene& scene = *window.mapScene();
+    ui::scene::MapScene& scene = *window.mapScene();
     const Eigen::Vector2d wall(0.1, 1.5);
     QVERIFY(scene.occupancyAt(wall).has_value());
     // The submaps stand left of the line, and there is none here.

@@ -25,7 +25,7 @@
 namespace test_window_moves {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using robot::MapChange;
 using robot::Obstacle;
 using test::Bench;

@@ -20,7 +20,7 @@
 namespace test_window_objects {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 
@@ -275,7 +275,7 @@ class TestWindowObjects : public QObject {
     bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}}});
     bench.click(4, 4);
     QVERIFY(bench.card()->isVisible());
-    window.mapScene()->setLayerVisible(scene::Layer::Landmarks, false);
+    window.mapScene()->setLayerVisible(ui::scene::Layer::Landmarks, false);
     QTRY_VERIFY(!bench.card()->isVisible());
     bench.click(4, 4);
     QVERIFY(!bench.card()->isVisible());
@@ -352,9 +352,9 @@ class TestWindowObjects : public QObject {
     MainWindow& window = bench.openOnRobot();
     bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}, {"L2", {6, 4}, false}}});
     std::vector<QImage> legend;
-    for (const scene::LegendSection& section : window.mapScene()->legend(1)) {
-      if (section.title != scene::layerTitle(scene::Layer::Landmarks)) continue;
-      for (const scene::LegendRow& row : section.rows) legend.push_back(row.symbol);
+    for (const ui::scene::LegendSection& section : window.mapScene()->legend(1)) {
+      if (section.title != ui::scene::layerTitle(ui::scene::Layer::Landmarks)) continue;
+      for (const ui::scene::LegendRow& row : section.rows) legend.push_back(row.symbol);
     }
     QCOMPARE(legend.size(), 2U);
     for (const auto& [x_m, row] : {std::pair(4, 0), std::pair(6, 1)}) {

@@ -133,11 +133,11 @@ class TestWindowOverlayFlaws : public QObject {
     QVERIFY(desk.control().states().shown().empty());
     desk.drag(desk.px(2, 0), desk.px(2, 1));
     QCOMPARE(desk.control().states().shown().size(), std::size_t(1));
-    QVERIFY(desk.control().states().shown()[0].state == scene::WaypointMark::Unsaved);
+    QVERIFY(desk.control().states().shown()[0].state == ui::scene::WaypointMark::Unsaved);
     QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.9")));
     desk.control().tool()->activate();
     QTRY_COMPARE(desk.control().states().shown().size(), std::size_t(2));
-    QVERIFY(desk.control().states().shown()[1].state == scene::WaypointMark::Theirs);
+    QVERIFY(desk.control().states().shown()[1].state == ui::scene::WaypointMark::Theirs);
     desk.save();
     QVERIFY(desk.control().states().shown().empty());
   }

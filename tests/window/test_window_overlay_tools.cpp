@@ -25,7 +25,7 @@
 namespace test_window_overlay_tools {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using overlays::OverlayDocument;
 using overlays::Shape;
 using test_overlays_desk::Desk;

@@ -43,7 +43,7 @@
 namespace test_window_overlays {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using overlays::OverlayDocument;
 using overlays::Shape;
 using test_overlays_desk::Desk;
@@ -684,8 +684,8 @@ class TestWindowOverlays : public QObject {
     desk.open();
     desk.drag(desk.px(2, 0), desk.px(2, -2));
     int walls = 0;
-    for (const scene::MapObject& object : desk.window->mapScene()->objects(10'000)) {
-      if (object.id.layer != scene::Layer::Overlays || object.name != QLatin1String("W17")) continue;
+    for (const ui::scene::MapObject& object : desk.window->mapScene()->objects(10'000)) {
+      if (object.id.layer != ui::scene::Layer::Overlays || object.name != QLatin1String("W17")) continue;
       ++walls;
       QVERIFY(near(object.parts.at(0).at(0), 0, -2));
     }

@@ -23,7 +23,7 @@
 namespace test_window_parts {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 
@@ -301,7 +301,7 @@ class TestWindowParts : public QObject {
   }
 
   void takesASessionAwayBeforeItEnds() {
-    scene::MapScene scene({});
+    ui::scene::MapScene scene({});
     CurrentSession current(scene, {});
     QStringList told;
     QPointer<session::Session> last;
@@ -328,7 +328,7 @@ class TestWindowParts : public QObject {
   }
 
   void tellsOfTheStateOnlyOfThePresentSession() {
-    scene::MapScene scene({});
+    ui::scene::MapScene scene({});
     CurrentSession current(scene, {});
     auto made = std::make_unique<test::FakeRobot>(kAddress);
     test::FakeRobot* const robot = made.get();
@@ -336,7 +336,7 @@ class TestWindowParts : public QObject {
     QSignalSpy spy(&current, &CurrentSession::stateChanged);
     robot->identify({QStringLiteral("x"), {}, QStringLiteral("name"), {}});
     QCOMPARE(spy.size(), 1);
-    scene.setLayerVisible(scene::Layer::Grid, !scene.layerVisible(scene::Layer::Grid));
+    scene.setLayerVisible(ui::scene::Layer::Grid, !scene.layerVisible(ui::scene::Layer::Grid));
     QCOMPARE(spy.size(), 2);
     current.leave();
     QCOMPARE(spy.size(), 3);  // that it has gone, and nothing of its end

@@ -31,7 +31,7 @@
 namespace test_window_picture {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using picture::CellRect;
 using picture::Kind;
 
@@ -580,7 +580,7 @@ class TestWindowPicture : public QObject {
     desk.editing().drawRectangle({10, 10, 20, 20});
     Q_EMIT desk.control().compareWanted();
     QTRY_VERIFY(desk.window->session()->comparedMap().cells());
-    QCOMPARE(desk.window->mapScene()->compareMode(), scene::CompareMode::Swipe);
+    QCOMPARE(desk.window->mapScene()->compareMode(), ui::scene::CompareMode::Swipe);
     QTRY_COMPARE(int(desk.window->session()->comparedMap().cells()->at(15, 15)), 0);
     QCOMPARE(int(desk.cells().at(15, 15)), 100);
   }

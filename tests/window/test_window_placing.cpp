@@ -26,7 +26,7 @@
 namespace test_window_placing {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::FakeWaypointStore;
 using test::waypoint;
 

@@ -21,7 +21,7 @@
 namespace test_window_plots {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using series::Quantity;
 
 namespace {

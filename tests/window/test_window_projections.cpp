@@ -23,7 +23,7 @@
 namespace test_window_projections {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using List = std::vector<map::Projection>;
 
 namespace {

@@ -15,7 +15,7 @@
 namespace test_window_reference {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::FakeRobot;
 using test::kAddress;
 using test::kFile;
@@ -296,7 +296,7 @@ class TestWindowReference : public QObject {
       QTest::mouseClick(button, Qt::LeftButton);
       QVERIFY(!window.mapScene()->referenceAbove());
     }
-    QCOMPARE(window.mapScene()->layerOpacity(scene::Layer::Reference), 1.0);
+    QCOMPARE(window.mapScene()->layerOpacity(ui::scene::Layer::Reference), 1.0);
   }
 
   void aPointOutsideOfTheReferenceMapIsRefused() {
@@ -573,14 +573,14 @@ class TestWindowReference : public QObject {
     bench.openOn(Site::rooms(), Site::rooms().turned());
     bench.align();
     QTest::mouseClick(bench.dock()->swipeButton(), Qt::LeftButton);
-    QCOMPARE(bench.window->mapScene()->compareMode(), scene::CompareMode::Swipe);
+    QCOMPARE(bench.window->mapScene()->compareMode(), ui::scene::CompareMode::Swipe);
     const session::MapSlot& compared = bench.window->session()->comparedMap();
     QTRY_VERIFY(compared.cells() && compared.settled());
     QVERIFY(near(compared.reference().origin, bench.reference()->pose(), 1e-9));
     QVERIFY(compared.shown().overlays.empty());  // they lie where they were on the old map
     QVERIFY(near(bench.reference()->pose(), kTurnedBack, 0.05));
     bench.key(Qt::Key_Escape);
-    QCOMPARE(bench.window->mapScene()->compareMode(), scene::CompareMode::Off);
+    QCOMPARE(bench.window->mapScene()->compareMode(), ui::scene::CompareMode::Off);
     bench.dock()->removeButton()->click();
     QVERIFY(!bench.dock()->swipeButton()->isEnabled());
   }

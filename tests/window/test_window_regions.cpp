@@ -36,8 +36,8 @@ namespace test_window_regions {
 
 using namespace mapwright;
 using regions::FakeDispatch;
-using scene::Layer;
-using window::MainWindow;
+using ui::MainWindow;
+using ui::scene::Layer;
 
 namespace {
 
@@ -86,7 +86,7 @@ class TestWindowRegions : public QObject {
     robot_->goOnline();
     QTRY_VERIFY(controller()->map() || !robot_->has_dispatch);
   }
-  window::RegionsController* controller() const { return window::part<window::RegionsController>(*window_); }
+  ui::RegionsController* controller() const { return ui::part<ui::RegionsController>(*window_); }
   QAction* action(const char* id) const { return window_->actionList().find(QLatin1String(id)); }
   void look(double scale) {
     geometry::ViewTransform view = window_->mapScene()->view();
@@ -98,9 +98,9 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(!controller()->map()->regions().inView().empty() &&
                 controller()->map()->regions().plan().settled(1));
   }
-  QString notice() const { return window::part<window::MapOverlay>(*window_)->notice()->sentence(); }
-  QPushButton* offer() const { return window::part<window::MapOverlay>(*window_)->notice()->offerButton(); }
-  QStringList toasts() const { return window_->findChild<window::ToastStack*>()->texts(); }
+  QString notice() const { return ui::part<ui::MapOverlay>(*window_)->notice()->sentence(); }
+  QPushButton* offer() const { return ui::part<ui::MapOverlay>(*window_)->notice()->offerButton(); }
+  QStringList toasts() const { return window_->findChild<ui::ToastStack*>()->texts(); }
   QPushButton* answerCalled(const char* name) const {
     return controller()->question()->findChild<QPushButton*>(QLatin1String(name));
   }
@@ -461,11 +461,11 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     waitUntilFetched();
-    QListView* const list = window::part<window::MapsDock>(*window_)->list();
+    QListView* const list = ui::part<ui::MapsDock>(*window_)->list();
     const auto row = [&] {
       for (int at = 0; at < list->model()->rowCount(); ++at) {
         const QModelIndex index = list->model()->index(at, 0);
-        if (window::part<window::MapsDock>(*window_)->model()->isFetched(index)) return index;
+        if (ui::part<ui::MapsDock>(*window_)->model()->isFetched(index)) return index;
       }
       return QModelIndex();
     };
@@ -474,11 +474,11 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(row().isValid());
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QCOMPARE(row().data().toString(), QStringLiteral("Region 20.0 × 10.0 m"));
-    const QString detail = row().data(window::MapsModel::DetailRole).toString();
+    const QString detail = row().data(ui::MapsModel::DetailRole).toString();
     const QRegularExpression told(QStringLiteral("^fetched \\d\\d:\\d\\d:\\d\\d, 400 x 200 cells$"));
     QVERIFY2(told.match(detail).hasMatch(), qPrintable(detail));
-    window::part<window::MapsDock>(*window_)->show();
-    window::part<window::MapsDock>(*window_)->raise();
+    ui::part<ui::MapsDock>(*window_)->show();
+    ui::part<ui::MapsDock>(*window_)->raise();
     QTRY_VERIFY(list->isVisible());
     // It is looked at by mouse and by keyboard, and nobody is asked for it.
     const auto seen = [&] {
@@ -550,9 +550,9 @@ class TestWindowRegions : public QObject {
     QVERIFY(!window_->mapScene()->regions());  // nothing is hatched
     QVERIFY2(notice().isEmpty(), qPrintable(notice()));
     QVERIFY2(tip().isEmpty(), qPrintable(tip()));
-    window::EmptyStateCard* const card = window::part<window::MapOverlay>(*window_)->card();
+    ui::EmptyStateCard* const card = ui::part<ui::MapOverlay>(*window_)->card();
     QTRY_VERIFY(card->isVisible());
-    QCOMPARE(card->kind(), std::optional(window::EmptyState::Kind::NoMap));
+    QCOMPARE(card->kind(), std::optional(ui::EmptyState::Kind::NoMap));
     QPushButton* clouds = nullptr;
     for (QPushButton* button : card->findChildren<QPushButton*>())
       if (button->isVisible()) clouds = button;
@@ -574,7 +574,7 @@ class TestWindowRegions : public QObject {
     robot_->goAway(QStringLiteral("unplugged"));
     QCoreApplication::processEvents();
     QVERIFY(controller()->map()->regions().bytes() > 0);
-    QVERIFY(!window::part<window::MapOverlay>(*window_)->card()->isVisible());
+    QVERIFY(!ui::part<ui::MapOverlay>(*window_)->card()->isVisible());
   }
   void whatCameStaysInSightWhenItsDispatcherGoes() {
     open();
@@ -607,8 +607,8 @@ class TestWindowRegions : public QObject {
              controller()->question()->button(QMessageBox::Cancel));
     answerCalled("fetchWhole")->click();
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
-    QVERIFY(window_->mapScene()->robotPlace().drawn == scene::ScreenPart::All);
-    window::part<window::MapsController>(*window_)->open({map::MapKind::Live, {}});
+    QVERIFY(window_->mapScene()->robotPlace().drawn == ui::scene::ScreenPart::All);
+    ui::part<ui::MapsController>(*window_)->open({map::MapKind::Live, {}});
     QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
     QVERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Empty);
   }
@@ -617,7 +617,7 @@ class TestWindowRegions : public QObject {
     connectRobot();
     QVERIFY(action("saveMapOnRobot")->isEnabled());
     action("saveMapOnRobot")->trigger();
-    const auto dialog = [this] { return window_->findChild<window::SaveMapDialog*>(); };
+    const auto dialog = [this] { return window_->findChild<ui::SaveMapDialog*>(); };
     QVERIFY(dialog());
     auto* const name = dialog()->findChild<QLineEdit*>(QStringLiteral("saveMapName"));
     auto* const save = dialog()->findChild<QPushButton*>(QStringLiteral("primary"));

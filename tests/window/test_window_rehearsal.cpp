@@ -14,7 +14,7 @@
 namespace test_window_rehearsal {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using carry::Crossing;
 using test::FakeRobot;
 using test::Site;

@@ -53,7 +53,7 @@
 namespace test_window_replay {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using robot::BagKey;
 using robot::BagKind;
 
@@ -1170,7 +1170,7 @@ class TestWindowReplay : public QObject {
     Desk desk;
     desk.replay(kWhole);
     QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
-    desk.window->mapScene()->setLayerVisible(scene::Layer::Trail, true);
+    desk.window->mapScene()->setLayerVisible(ui::scene::Layer::Trail, true);
     desk.clock().seek(desk.clock().end());
     QTRY_VERIFY(desk.isThere());
     const auto& trail = desk.window->session()->live().trail;

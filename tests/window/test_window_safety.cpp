@@ -22,7 +22,7 @@
 namespace test_window_safety {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 
@@ -291,18 +291,18 @@ class TestWindowSafety : public QObject {
     QCOMPARE(notice.sentence(),
              QStringLiteral(
                  "The robot is in Ground floor, not in this map. The robot and its sensor data are hidden."));
-    QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
+    QVERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::None);
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
-    QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
+    QVERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::All);
     // It says so as long as it is drawn wrongly.
     QCOMPARE(notice.sentence(),
              QStringLiteral("The robot is in Ground floor, not in this map. It is shown anyway."));
     QCOMPARE(notice.mark(), Mark::Warning);
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
-    QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
+    QVERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::None);
     part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(!notice.isVisible());
-    QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
+    QVERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::All);
   }
 
   void thereIsNothingToFollowWhereTheRobotIsHidden() {
@@ -310,7 +310,7 @@ class TestWindowSafety : public QObject {
     MainWindow& window = openLive(bench);
     QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 2);
     part<MapsController>(window)->open(stored("2"));
-    QTRY_VERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
+    QTRY_VERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::None);
     const Eigen::Vector2d before = window.mapScene()->view().center_m;
     bench.robot->say(map::TrackedPose{{500, 500, 0}});
     bench.action("follow")->trigger();
@@ -329,10 +329,10 @@ class TestWindowSafety : public QObject {
     NoticeBar& notice = *part<MapOverlay>(window)->placeNotice();
     QTRY_VERIFY(notice.isVisible());
     QVERIFY(notice.sentence().startsWith(QLatin1String("The robot does not report which map it is in.")));
-    QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
+    QVERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::All);
     QVERIFY(notice.closeButton()->isVisible());
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
-    QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
+    QVERIFY(window.mapScene()->robotPlace().drawn == ui::scene::ScreenPart::None);
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
     QTest::mouseClick(notice.closeButton(), Qt::LeftButton);
     QVERIFY(!notice.isVisible());

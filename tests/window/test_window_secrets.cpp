@@ -23,9 +23,9 @@ namespace test_window_secrets {
 
 using namespace mapwright;
 using test::kAddress;
-using window::ConnectionChip;
-using window::part;
-using window::RecentRobots;
+using ui::ConnectionChip;
+using ui::part;
+using ui::RecentRobots;
 
 namespace {
 
@@ -69,7 +69,7 @@ struct SecretsBench : test::Bench {
   }
   /// Whether any message says so.
   bool told(const char* words) {
-    return !part<window::MapOverlay>(*window)->toasts()->texts().filter(QLatin1String(words)).isEmpty();
+    return !part<ui::MapOverlay>(*window)->toasts()->texts().filter(QLatin1String(words)).isEmpty();
   }
   FakeKeyRing ring;
 };
@@ -167,14 +167,14 @@ class TestWindowSecrets : public QObject {
     QCOMPARE(chip->name(), QStringLiteral("own name"));
     QVERIFY(!chip->color().isValid());
     bench.action("robotLook")->trigger();
-    auto* const dialog = part<window::RobotLookDialog>(*bench.window);
+    auto* const dialog = part<ui::RobotLookDialog>(*bench.window);
     QVERIFY(dialog);
     dialog->findChild<QLineEdit*>(QStringLiteral("calledName"))->setText(QStringLiteral("Dock 3"));
     auto* const color = dialog->findChild<QComboBox*>(QStringLiteral("calledColor"));
     color->setCurrentIndex(color->findData(QStringLiteral("green")));
     dialog->findChild<QPushButton*>(QStringLiteral("primary"))->click();
     QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
-    QCOMPARE(chip->color(), window::robotColor(QStringLiteral("green")));
+    QCOMPARE(chip->color(), ui::robotColor(QStringLiteral("green")));
     QVERIFY(bench.window->windowTitle().contains(QLatin1String("Dock 3")));
     const auto recent = RecentRobots(bench.settings, test::knownAddresses()).list().front();
     QCOMPARE(recent.look.called, QStringLiteral("Dock 3"));
@@ -266,14 +266,14 @@ class TestWindowSecrets : public QObject {
   void everyColourHasAnIdANameAndALookOfItsOwn() {
     QSet<QString> ids, names;
     QSet<QRgb> looks;
-    for (const window::RobotColor& one : window::robotColors()) {
+    for (const ui::RobotColor& one : ui::robotColors()) {
       ids << one.id;
       names << one.name;
       looks << one.color.rgb();
     }
-    const auto count = qsizetype(window::robotColors().size());
+    const auto count = qsizetype(ui::robotColors().size());
     QVERIFY(ids.size() == count && names.size() == count && looks.size() == count);
-    QVERIFY(!window::robotColor(QStringLiteral("mauve")).isValid());
+    QVERIFY(!ui::robotColor(QStringLiteral("mauve")).isValid());
   }
 
   void aFileIsOpenAndNotConnected() {

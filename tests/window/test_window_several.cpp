@@ -25,7 +25,7 @@
 namespace test_window_several {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::waypoint;
 
 namespace {

@@ -19,7 +19,7 @@
 namespace test_window_stalls {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using std::chrono::milliseconds;
 
 namespace {

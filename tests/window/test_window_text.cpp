@@ -26,7 +26,7 @@
 namespace test_window_text {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 

@@ -14,7 +14,7 @@
 namespace test_window_tree {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 

@@ -16,7 +16,7 @@
 namespace test_window_typing {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::waypoint;
 
 namespace {

@@ -9,7 +9,7 @@
 namespace test_window_view {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 
 namespace {
 
@@ -45,7 +45,7 @@ struct Bench {
   }
   const geometry::ViewTransform& camera() const { return scene.view(); }
 
-  scene::MapScene scene;
+  ui::scene::MapScene scene;
   MapView view;
 };
 

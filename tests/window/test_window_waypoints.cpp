@@ -34,7 +34,7 @@
 namespace test_window_waypoints {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::waypoint;
 
 namespace {
@@ -51,7 +51,7 @@ class TestWindowWaypoints : public QObject {
     desk.start();
     QCOMPARE(desk.dock().model()->rowCount(), 2);
     const QImage with = part<ExportController>(*desk.window)->mapPicture();
-    desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
+    desk.window->mapScene()->setLayerVisible(ui::scene::Layer::Waypoints, false);
     QVERIFY(part<ExportController>(*desk.window)->mapPicture() != with);
     QVERIFY2(desk.dock().statusShown().contains(QLatin1String("2 waypoints.")),
              qPrintable(desk.dock().statusShown()));
@@ -677,7 +677,7 @@ class TestWindowWaypoints : public QObject {
     QTRY_VERIFY(!desk.dock().conflicts()->shown().isEmpty());
     const auto menuAt = [&](const QPointF& at) {
       auto menu = std::make_unique<QMenu>();
-      window::fillMapMenu(*menu, desk.window->actionList(), {at.x(), at.y()});
+      ui::fillMapMenu(*menu, desk.window->actionList(), {at.x(), at.y()});
       return menu;
     };
     QVERIFY2(!menuAt({2.5, 0.5})->findChild<QAction*>(choice), "nothing is in conflict there");
@@ -715,9 +715,9 @@ class TestWindowWaypoints : public QObject {
       const QPoint at = desk.px(point.position_m.x(), point.position_m.y());
       QVERIFY(desk.window->view()->viewport()->rect().contains(at));
     }
-    desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
+    desk.window->mapScene()->setLayerVisible(ui::scene::Layer::Waypoints, false);
     QVERIFY(part<ExportController>(*desk.window)->mapPicture() != with);
-    desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, true);
+    desk.window->mapScene()->setLayerVisible(ui::scene::Layer::Waypoints, true);
     desk.chooseTool();
     const map::Waypoint& one = desk.items().begin()->second;
     desk.click(desk.px(one.position_m.x(), one.position_m.y()));
@@ -738,7 +738,7 @@ class TestWindowWaypoints : public QObject {
     desk.start();
     const auto offered = [&] {
       auto menu = std::make_unique<QMenu>();
-      window::fillMapMenu(*menu, desk.window->actionList(), {12.5, 3.25});
+      ui::fillMapMenu(*menu, desk.window->actionList(), {12.5, 3.25});
       return menu;
     };
     const auto menu = offered();
@@ -825,7 +825,7 @@ class TestWindowWaypoints : public QObject {
     std::unique_ptr<QMenu> menu;
     const auto actionAt = [&](const char* begins, double x, double y) -> QAction* {
       menu = std::make_unique<QMenu>();
-      window::fillMapMenu(*menu, desk.window->actionList(), {x, y});
+      ui::fillMapMenu(*menu, desk.window->actionList(), {x, y});
       for (QAction* const action : menu->actions()) {
         if (action->text().startsWith(QLatin1String(begins))) return action;
       }
@@ -891,13 +891,13 @@ class TestWindowWaypoints : public QObject {
   }
 
   void handsSnapToThingsAndToTheGrid() {
-    scene::MapScene scene({});
+    ui::scene::MapScene scene({});
     geometry::ViewTransform camera = scene.view();
     camera.scale_m_per_px = 0.01;
     scene.setView(camera);
     HitList hits(scene);
     PointIndex points;
-    hits.add(scene::Layer::Waypoints, &points);
+    hits.add(ui::scene::Layer::Waypoints, &points);
     points.put("near", {0.05, 0});
     points.put("nearer", {0.03, 0});
     points.put("nowhere", {std::nan(""), 0});
@@ -920,7 +920,7 @@ class TestWindowWaypoints : public QObject {
     QCOMPARE(place(0, 0, {}), Eigen::Vector2d(0, 0));
     points.put("nearer", {5, 5});
     QCOMPARE(hits.at({0, 0}, 9).size(), std::size_t(1));
-    scene.setLayerVisible(scene::Layer::Waypoints, false);
+    scene.setLayerVisible(ui::scene::Layer::Waypoints, false);
     QVERIFY(hits.at({0, 0}, 9).empty());
   }
 

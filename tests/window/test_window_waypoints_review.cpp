@@ -17,7 +17,7 @@
 namespace test_window_waypoints_review {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::FakeWaypointStore;
 using test::waypoint;
 

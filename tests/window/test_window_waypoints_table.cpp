@@ -31,7 +31,7 @@
 namespace test_window_waypoints_table {
 
 using namespace mapwright;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::waypoint;
 
 namespace {

@@ -21,7 +21,7 @@ namespace test_window_writing {
 
 using namespace mapwright;
 using namespace mapwright::jobs;
-using namespace mapwright::window;
+using namespace mapwright::ui;
 using test::Bench;
 using test::kAddress;
 

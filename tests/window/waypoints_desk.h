@@ -18,11 +18,11 @@
 
 namespace mapwright::test {
 
-using window::MapTool;
-using window::NoticeBar;
-using window::WaypointEditing;
-using window::WaypointsController;
-using window::WaypointsDock;
+using ui::MapTool;
+using ui::NoticeBar;
+using ui::WaypointEditing;
+using ui::WaypointsController;
+using ui::WaypointsDock;
 
 /// A window on a robot of one map of 4 m x 3 m whose waypoints can be changed; 1 cm a pixel, its middle in
 /// the middle.
@@ -59,7 +59,7 @@ struct WaypointsDesk : Bench {
     camera.scale_m_per_px = 0.01;
     window->view()->moveTo(camera, false);
   }
-  WaypointsController& control() { return *window::part<window::WaypointsController>(*window); }
+  WaypointsController& control() { return *ui::part<ui::WaypointsController>(*window); }
   WaypointEditing& editing() { return *control().editing(); }
   WaypointsDock& dock() { return *control().dock(); }
   const edit::Items& items() { return editing().document()->items(); }
@@ -100,8 +100,8 @@ struct WaypointsDesk : Bench {
     QTRY_VERIFY(control().question());
     control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
   }
-  QStringList toasts() { return window::part<window::MapOverlay>(*window)->toasts()->texts(); }
-  NoticeBar* notice() { return window::part<window::MapOverlay>(*window)->editNotice(); }
+  QStringList toasts() { return ui::part<ui::MapOverlay>(*window)->toasts()->texts(); }
+  NoticeBar* notice() { return ui::part<ui::MapOverlay>(*window)->editNotice(); }
   bool near(const edit::Key& key, double x, double y) {
     const map::Waypoint* const point = editing().find(key);
     return point && (point->position_m - Eigen::Vector2d(x, y)).norm() < 0.011;

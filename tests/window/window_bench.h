@@ -17,7 +17,7 @@
 
 namespace mapwright::test {
 
-using window::MainWindow;
+using ui::MainWindow;
 
 inline const QString kAddress = QStringLiteral("axbot+http://192.0.2.7:8090");
 
@@ -57,7 +57,7 @@ struct Bench {
     QTest::keyClick(window->view(), key, modifiers);
   }
   QModelIndex row(map::SubmapId id, int column = 0) {
-    window::InspectorDock* dock = window::part<window::InspectorDock>(*window);
+    ui::InspectorDock* dock = ui::part<ui::InspectorDock>(*window);
     return dock->filterModel()->mapFromSource(dock->model()->indexOf(id)).siblingAtColumn(column);
   }
   /// A robot with stored maps 1 (current), 2 and a mapping 7.

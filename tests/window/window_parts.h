@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The one of this class; null: there is none.
 template <class Part>
@@ -11,4 +11,4 @@ Part* part(const QWidget& window) {
   return window.findChild<Part*>();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

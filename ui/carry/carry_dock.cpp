@@ -15,7 +15,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/wrapping_row.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 CarryDock::CarryDock(const CarryWords& words, const QString& name, QWidget* parent)
     : QDockWidget(words.title, parent),
@@ -178,6 +178,6 @@ bool CarryDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_carry_dock.cpp"

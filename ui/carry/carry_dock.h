@@ -14,7 +14,7 @@ class QLabel;
 class QPushButton;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct CarryShown {
   QString said;
@@ -73,4 +73,4 @@ class CarryDock : public QDockWidget {
   bool editable_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

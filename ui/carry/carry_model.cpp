@@ -12,7 +12,7 @@
 #include "ui/kit/status_text.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kMostNamed = 5;  // of those that go together
@@ -186,6 +186,6 @@ bool CarryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) co
   return order_.compare(a.name, b.name) < 0;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_carry_model.cpp"

@@ -11,7 +11,7 @@
 
 #include "carry/carried.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct CarryRow {
   enum class State {
@@ -90,4 +90,4 @@ class CarryFilter : public QSortFilterProxyModel {
   Shown shown_ = Shown::All;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

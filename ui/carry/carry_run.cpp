@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 CarryRun::CarryRun(const std::shared_ptr<work::Workers>& workers, QObject* parent)
     : QObject(parent), share_(workers) {}
@@ -28,6 +28,6 @@ void CarryRun::start(render::PlacedGrid old_map, render::PlacedGrid new_map, con
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_carry_run.cpp"

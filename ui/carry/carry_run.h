@@ -10,7 +10,7 @@
 #include "carry/carried.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CarryRun : public QObject {
   Q_OBJECT
@@ -32,4 +32,4 @@ class CarryRun : public QObject {
   work::Tasks share_;  // last member: waits for running work
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

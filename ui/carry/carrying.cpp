@@ -12,7 +12,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kAroundM = 3;  // of a place that is looked at: as far as walls count for it
@@ -186,6 +186,6 @@ void Carrying::leaveOut(const std::vector<int>& wanted) {
   refresh();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_carrying.cpp"

@@ -17,7 +17,7 @@
 #include "ui/shell/laid_map.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CarryDock;
 
@@ -110,4 +110,4 @@ class Carrying : public QObject {
   CarryRun run_;                    // last
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -6,7 +6,7 @@
 #include "words/figures.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 class CloudTextText {
@@ -88,4 +88,4 @@ QString megabytesText(std::int64_t bytes) {
   return CloudTextText::tr("%1 MB").arg(QString::number(double(bytes) / 1e6, 'f', 1));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 
 #include "clouds/cloud_store.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// "5,000,000 points shown of 6,000,000", and what is missing and why, one line each.
 QString cloudSumsText(const clouds::CloudSums& sums);
@@ -18,4 +18,4 @@ QString sectionPlaceText(const Eigen::Vector2d& at, const std::optional<Eigen::V
 /// "12.3 MB".
 QString megabytesText(std::int64_t bytes);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

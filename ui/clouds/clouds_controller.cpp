@@ -30,7 +30,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kSectionPx = 280;  // enough for a storey and its ceiling
@@ -358,6 +358,6 @@ void CloudsController::remember(QSettings& settings) {
 
 void CloudsController::reset() { section_dock_->widthBox()->setValue(0.5); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_clouds_controller.cpp"

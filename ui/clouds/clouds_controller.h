@@ -9,7 +9,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CloudsDock;
 class RegionTool;
@@ -62,4 +62,4 @@ class CloudsController : public Controller {
   std::shared_ptr<const clouds::Section> section_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -11,7 +11,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kFarthestM = 100'000;
@@ -236,6 +236,6 @@ void CloudsDock::setStyle(const scene::LayerStyle& style) {
                                  : scene::specOf(scene::Layer::DispatchedCloud).traits().default_size_px);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_clouds_dock.cpp"

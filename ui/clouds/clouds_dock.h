@@ -18,7 +18,7 @@
 
 class QVBoxLayout;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// What can be requested now, by kind; and why not, for a tooltip.
 struct CloudOffer {
@@ -98,4 +98,4 @@ class CloudsDock : public QDockWidget {
   bool busy_ = false, has_clouds_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

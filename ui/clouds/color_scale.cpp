@@ -9,7 +9,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kBarPx = 12, kGapPx = 3, kMostStops = 32;
@@ -80,6 +80,6 @@ void ColorScale::paintEvent(QPaintEvent*) {
   if (needed < width()) painter.drawText(text, Qt::AlignHCenter | Qt::AlignVCenter, all[1]);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_color_scale.cpp"

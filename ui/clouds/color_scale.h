@@ -7,7 +7,7 @@
 
 #include "ui/scene/clouds_layer.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A bar of the colours with the values at its ends and in its middle. Hidden without a scale.
 class ColorScale : public QWidget {
@@ -27,4 +27,4 @@ class ColorScale : public QWidget {
   std::optional<scene::CloudScale> scale_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

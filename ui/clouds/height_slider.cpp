@@ -10,7 +10,7 @@
 
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kHandlePx = 6, kFootPx = 14;
@@ -167,6 +167,6 @@ void HeightSlider::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_height_slider.cpp"

@@ -7,7 +7,7 @@
 
 #include "clouds/heights.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Heights increase from left to right. The keys move one handle: Left and Right by a hundredth of the width,
 /// with Shift a tenth, Home and End to the limit; Up and Down select the upper or the lower handle. Double
@@ -51,4 +51,4 @@ class HeightSlider : public QWidget {
   Handle active_ = Handle::Low, dragged_ = Handle::None;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

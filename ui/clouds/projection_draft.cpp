@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kLeastSizeM = 0.1;
@@ -104,4 +104,4 @@ map::Projection moved(const map::Projection& before, RectGrip grip, const Eigen:
   return after;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

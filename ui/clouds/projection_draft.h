@@ -6,7 +6,7 @@
 
 #include "map/map_part.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ProjectionDraft {
  public:
@@ -52,4 +52,4 @@ RectGrip gripAt(const map::Projection& projection, const Eigen::Vector2d& at_m, 
 /// becomes empty.
 map::Projection moved(const map::Projection& before, RectGrip grip, const Eigen::Vector2d& step_m);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

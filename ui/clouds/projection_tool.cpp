@@ -5,7 +5,7 @@
 
 #include "ui/scene/lengths.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kTagPadPx = 3;
@@ -160,6 +160,6 @@ void ProjectionTool::paint(QPainter& painter) {
   if (const geometry::WorldRect rect = newOne(); rect.width() > 0 || rect.height() > 0) draw(rect, true, {});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_projection_tool.cpp"

@@ -6,7 +6,7 @@
 #include "ui/clouds/projection_draft.h"
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Drag on an empty part of the map: a new one. Click one: select it. Drag its edge, corner or inside: change
 /// it. Delete removes the selected one.
@@ -56,4 +56,4 @@ class ProjectionTool : public DragTool {
   RectGrip under_ = RectGrip::None;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -19,7 +19,7 @@
 #include "ui/view/tool_choice.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using robot::DispatchService;
 
@@ -310,6 +310,6 @@ void ProjectionsController::add(const geometry::WorldRect& rect) {
   refresh();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_projections_controller.cpp"

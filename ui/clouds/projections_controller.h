@@ -10,7 +10,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ProjectionsDock;
 class ProjectionTool;
@@ -36,7 +36,7 @@ class ProjectionsController : public Controller {
 
  Q_SIGNALS:
   /// The heights of the projections, for the section.
-  void bandsChanged(const std::vector<mapwright::window::SectionBand>& bands);
+  void bandsChanged(const std::vector<mapwright::ui::SectionBand>& bands);
 
  private:
   robot::MapDispatch* dispatch() const;
@@ -60,4 +60,4 @@ class ProjectionsController : public Controller {
   bool tried_ = false;       // it was requested automatically, and nothing new is known since
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

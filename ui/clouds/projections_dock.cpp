@@ -11,7 +11,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kLeastColumnPx = 26;
@@ -169,6 +169,6 @@ void ProjectionsDock::refresh() {
   state_->setText(state);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_projections_dock.cpp"

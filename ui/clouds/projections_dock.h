@@ -8,7 +8,7 @@
 
 #include "ui/clouds/projections_model.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The actions possible now.
 struct ProjectionsOffer {
@@ -58,4 +58,4 @@ class ProjectionsDock : public QDockWidget {
   bool selecting_ = false;  // by refresh(), not by the user
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -4,7 +4,7 @@
 
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 /// The value of a column with numbers.
@@ -29,19 +29,19 @@ struct ColumnTexts {
   const char *head, *tip;
 };
 constexpr ColumnTexts kColumnTexts[] = {
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "X"),
-     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Of the lower left corner, metres")},
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Y"),
-     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Of the lower left corner, metres")},
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "W"),
-     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Width, metres")},
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "H"),
-     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Height on the map, metres")},
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "z from"),
-     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Metres")},
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "to"),
-     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Metres")},
-    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Frame"), ""}};
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "X"),
+     QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Of the lower left corner, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Y"),
+     QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Of the lower left corner, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "W"),
+     QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Width, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "H"),
+     QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Height on the map, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "z from"),
+     QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Metres")},
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "to"),
+     QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Metres")},
+    {QT_TRANSLATE_NOOP("mapwright::ui::ProjectionsModel", "Frame"), ""}};
 
 /// To the centimetre, without trailing zeros, so that all columns fit.
 QString shortNumber(double value) {
@@ -157,6 +157,6 @@ void ProjectionsModel::refresh() {
   if (rows_ > 0) Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, kColumns - 1));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_projections_model.cpp"

@@ -5,7 +5,7 @@
 
 #include "ui/clouds/projection_draft.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ProjectionsModel : public QAbstractTableModel {
   Q_OBJECT
@@ -37,4 +37,4 @@ class ProjectionsModel : public QAbstractTableModel {
 /// Why it cannot be sent; empty = it can.
 QString flawText(map::ProjectionFlaw flaw);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -2,7 +2,7 @@
 
 #include "ui/scene/lengths.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using scene::lengthText;
 
@@ -30,6 +30,6 @@ QString RegionTool::hint() const {
                   : tr("%1 x %2").arg(lengthText(box.width()), lengthText(box.height()));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_region_tool.cpp"

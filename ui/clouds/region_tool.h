@@ -3,7 +3,7 @@
 
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class RegionShape { Box, Sphere };
 
@@ -31,4 +31,4 @@ class RegionTool : public DragShapeTool {
   RegionShape shape_ = RegionShape::Box;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

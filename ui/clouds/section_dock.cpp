@@ -6,7 +6,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent)
     : QDockWidget(tr("Section"), parent),
@@ -58,6 +58,6 @@ void SectionDock::updateText() {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_section_dock.cpp"

@@ -8,7 +8,7 @@
 #include "ui/clouds/section_view.h"
 #include "ui/kit/plain_label.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class SectionDock : public QDockWidget {
   Q_OBJECT
@@ -32,4 +32,4 @@ class SectionDock : public QDockWidget {
   PlainLabel* told_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

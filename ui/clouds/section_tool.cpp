@@ -4,7 +4,7 @@
 
 #include "ui/scene/lengths.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 void SectionTool::deactivate() {
   DragTool::deactivate();
@@ -83,6 +83,6 @@ void SectionTool::paint(QPainter& painter) {
   if (mark_) painter.drawEllipse(px(drawn->from_m + along * *mark_), 5, 5);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_section_tool.cpp"

@@ -5,7 +5,7 @@
 
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Drag from one end to the other. Esc removes the line, the next one leaves the tool.
 class SectionTool : public DragTool {
@@ -42,4 +42,4 @@ class SectionTool : public DragTool {
   double width_m_ = 0.5;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/scene/drawing.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kLeftPx = 52, kBottomPx = 22, kTopPx = 6, kRightPx = 8;
@@ -369,6 +369,6 @@ SectionBand withEdgeAt(SectionBand band, bool low, double height_m) {
   return band;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_section_view.cpp"

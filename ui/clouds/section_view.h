@@ -10,7 +10,7 @@
 #include "clouds/cloud_store.h"
 #include "render/raster_tiles.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct SectionBand {
   int index = 0;  // the displayed number
@@ -99,4 +99,4 @@ class SectionView : public QWidget {
   bool moved_ = false;  // by the user: no longer fitted automatically
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

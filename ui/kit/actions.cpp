@@ -18,7 +18,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -284,6 +284,6 @@ void fillMapMenu(QMenu& menu, const Actions& actions, const Eigen::Vector2d& wor
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_actions.cpp"

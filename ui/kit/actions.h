@@ -20,7 +20,7 @@ class QWidget;
 class QMenuBar;
 class QToolBar;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Where a shortcut works.
 enum class Reach {
@@ -199,4 +199,4 @@ void fillToolBar(QToolBar& bar, const Actions& actions);
 /// The context menu of the map at a point, world metres.
 void fillMapMenu(QMenu& menu, const Actions& actions, const Eigen::Vector2d& world_m);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

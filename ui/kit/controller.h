@@ -14,7 +14,7 @@ namespace mapwright::session {
 class Session;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Data fetched from the robot that only exists on screen.
 struct Fetched {
@@ -58,4 +58,4 @@ class Controller : public QObject {
   void unsavedChanged();  // unsaved() or maySave()
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -3,7 +3,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 void giveRoles(QPushButton& main, std::initializer_list<QPushButton*> others) {
   main.setObjectName(QStringLiteral("primary"));
@@ -36,4 +36,4 @@ void makeLine(QProgressBar& progress) {
   progress.hide();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

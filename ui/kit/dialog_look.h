@@ -6,7 +6,7 @@
 class QProgressBar;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// `main` is triggered by Enter; `others` are next to it.
 void giveRoles(QPushButton& main, std::initializer_list<QPushButton*> others);
@@ -17,4 +17,4 @@ void letEnterPress(QPushButton& button, bool lets);
 /// A thin line from 0 to 1000, initially hidden but with its space reserved.
 void makeLine(QProgressBar& progress);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct Finding {
   QString text;   // "Auto door Gate 3"; plain
@@ -36,4 +36,4 @@ class Findings {
   std::vector<Begin> sources_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -6,7 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -42,4 +42,4 @@ void rememberMapFolder(QSettings& settings, const QString& folder) {
   settings.setValue(kMapFolderKey, folder);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <QStringList>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The first of the wishes that is a writable folder; otherwise the home folder, or that for temporary files.
 /// Empty wishes are skipped.
@@ -16,4 +16,4 @@ QString folderToReadFrom(const QStringList& wishes);
 QString lastMapFolder(const QSettings& settings);
 void rememberMapFolder(QSettings& settings, const QString& folder);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

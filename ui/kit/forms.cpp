@@ -25,7 +25,7 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -323,4 +323,4 @@ void allow(QAction* action, bool allowed, const QString& unavailable_reason) {
   action->setToolTip(allowed || unavailable_reason.isEmpty() ? tip : plainToolTip(unavailable_reason));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -23,7 +23,7 @@ class QLabel;
 class QPushButton;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A widget, a layout, or room, in a row or column.
 struct LayoutItem {
@@ -215,4 +215,4 @@ QDoubleSpinBox* numberField(QWidget* parent, const NumberField& field);
 /// While it is not allowed its tooltip says why, if that is known.
 void allow(QAction* action, bool allowed, const QString& unavailable_reason);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 // Must be outside of any namespace: the macro declares a function in the global one.
 static void initResources() { Q_INIT_RESOURCE(mapwright); }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -98,4 +98,4 @@ QStringList iconNames() {
 
 void loadResources() { initResources(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

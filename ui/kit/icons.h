@@ -6,7 +6,7 @@
 #include <QPixmap>
 #include <QString>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// An icon from resources/icons/NAME.svg. It follows the application's palette: text colour, greyed if
 /// disabled, accent if checked. Sharp at every size and device pixel ratio.
@@ -24,4 +24,4 @@ QStringList iconNames();
 /// Makes the compiled-in resources reachable. Call once before the first icon (MainWindow and applyTheme do).
 void loadResources();
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

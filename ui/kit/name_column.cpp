@@ -8,7 +8,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr int kLettersKept = 32;    // of names: as long as columns can go instead
@@ -129,6 +129,6 @@ void NameColumn::fit() {
   fitting_ = false;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_name_column.cpp"

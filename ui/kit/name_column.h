@@ -9,7 +9,7 @@
 class QAbstractItemView;
 class QHeaderView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A column beside that of the names. Its width at first is the one that it has as long as it is shown.
 struct ColumnBeside {
@@ -52,4 +52,4 @@ class NameColumn : public QObject {
   QTimer soon_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -4,7 +4,7 @@
 #include <QCollator>
 #include <QLocale>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 inline QCollator nameOrder() {
   QCollator order;
@@ -16,4 +16,4 @@ inline QCollator nameOrder() {
   return order;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

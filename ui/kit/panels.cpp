@@ -22,7 +22,7 @@
 #include "ui/kit/tab_order.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -341,6 +341,6 @@ class DockTitle : public QWidget {
 
 void giveTitle(QDockWidget* dock) { dock->setTitleBarWidget(new DockTitle(dock)); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_panels.cpp"

@@ -12,7 +12,7 @@
 class QDockWidget;
 class QMainWindow;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 
@@ -99,4 +99,4 @@ class Panels : public QObject {
 /// Replaces the title bar of `dock`. Dragging and double-clicking still work.
 void giveTitle(QDockWidget* dock);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -11,7 +11,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 PlainLabel::PlainLabel(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -145,6 +145,6 @@ QString plainToolTip(const QString& text) {
   return QStringLiteral("<qt>%1</qt>").arg(escaped);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_plain_label.cpp"

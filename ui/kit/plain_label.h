@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <QWidget>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Shows text literally (no markup, no mnemonics), elided if there is no room, then with the whole text as
 /// tooltip. Its size comes from a sample, so texts that change ten times a second cause no relayout. Digits
@@ -55,4 +55,4 @@ class PlainLabel : public QWidget {
 /// Plain text escaped for widgets that may interpret rich text (tooltips).
 QString plainToolTip(const QString& text);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

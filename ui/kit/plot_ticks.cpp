@@ -6,7 +6,7 @@
 
 #include <QDateTime>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -100,4 +100,4 @@ QString valueText(double value) {
                 std::clamp(5 - int(std::floor(std::log10(size))), 0, 6) > 3 ? 3 + (size < 0.1 ? 3 : 0) : 2);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

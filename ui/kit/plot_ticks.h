@@ -6,7 +6,7 @@
 
 #include <QString>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct PlotTick {
   double at = 0;
@@ -27,4 +27,4 @@ QString zoneText(double at_s);
 /// With a sensible number of digits.
 QString valueText(double value);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

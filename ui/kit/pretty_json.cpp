@@ -5,7 +5,7 @@
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -102,4 +102,4 @@ QString prettyJson(const QByteArray& bytes, qsizetype limit, qsizetype longest_s
   return out;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -12,7 +12,7 @@
 #include "ui/kit/state_mark.h"
 #include "words/sentences.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -56,7 +56,7 @@ void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, c
 namespace {
 
 struct SafetyBadgeText {
-  Q_DECLARE_TR_FUNCTIONS(mapwright::window::Safety)
+  Q_DECLARE_TR_FUNCTIONS(mapwright::ui::Safety)
 };
 
 constexpr int kLongestText = 200;
@@ -154,4 +154,4 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
   return text;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 
 class QPainter;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// What is known, and whether it is still live.
 struct SafetyState {
@@ -43,4 +43,4 @@ int safetyWidth(const SafetyText& text, const QFont& font);
 /// Text that does not fit is elided; shape and colour always stay.
 void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, const UiColors& colors);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

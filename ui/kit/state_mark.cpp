@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -89,4 +89,4 @@ QPixmap markPixmap(Mark mark) {
   return pixmap;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

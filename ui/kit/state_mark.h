@@ -10,7 +10,7 @@
 
 class QPainter;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 QColor markColor(Mark mark, const UiColors& colors);
 /// The same for text: readable on the background of windows and lists.
@@ -20,4 +20,4 @@ void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors&
 /// For a cell of a table, in the present colours.
 QPixmap markPixmap(Mark mark);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

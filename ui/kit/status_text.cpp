@@ -16,7 +16,7 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -192,7 +192,7 @@ QString mapOnScreen(const session::MapSlot& slot, int limit) {
 QString mapShownText(const session::MapSlot& slot) {
   const QString progress = mapProgressText(slot);
   if (!progress.isEmpty() || !slot.cells()) return progress;
-  return QCoreApplication::translate("mapwright::window::StatusText", "%1, %2 x %3 cells")
+  return QCoreApplication::translate("mapwright::ui::StatusText", "%1, %2 x %3 cells")
       .arg(mapOnScreen(slot, 40), countText(slot.reference().width), countText(slot.reference().height));
 }
 
@@ -300,4 +300,4 @@ QString linkWord(const robot::ConnectionState& state, const std::optional<QDateT
   return silent_since ? QCoreApplication::translate("window", "silent") : connectionWord(state.phase);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -11,7 +11,7 @@
 #include "robot/robot.h"
 #include "session/session.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The mark of a state next to its text: a shape and a colour, never only the colour.
 enum class Mark { None, Neutral, Busy, Good, Warning, Bad };
@@ -87,4 +87,4 @@ StateText linkText(const robot::ConnectionState& state, const std::optional<QDat
 /// The same in one word.
 QString linkWord(const robot::ConnectionState& state, const std::optional<QDateTime>& silent_since);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 #include <QSplitter>
 #include <QTabWidget>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -55,4 +55,4 @@ void orderTabsAsLaidOut(QWidget& panel) {
   for (std::size_t i = 1; i < stops.size(); ++i) QWidget::setTabOrder(stops[i - 1], stops[i]);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -3,9 +3,9 @@
 
 class QWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Tab goes through `panel` as it is laid out: rows from top to bottom, in each in the direction of reading.
 void orderTabsAsLaidOut(QWidget& panel);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

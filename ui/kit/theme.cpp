@@ -9,7 +9,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -188,4 +188,4 @@ bool applyTheme(QApplication& app, ThemeChoice choice) {
   return dark;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -5,7 +5,7 @@
 
 class QApplication;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class ThemeChoice { System, Light, Dark };
 
@@ -19,4 +19,4 @@ bool systemIsDark(QApplication& app);
 /// Sets Fusion, the palette and the style sheet. Returns whether it is dark now.
 bool applyTheme(QApplication& app, ThemeChoice choice);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -12,7 +12,7 @@
 
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The bar of a selected row, or the frame of the current one if it is not selected. `row` spans the view.
 inline void paintRowState(QPainter* painter, const QRect& row, bool selected, bool current) {
@@ -112,4 +112,4 @@ inline void showRows(QTableView& table, QAbstractItemModel* model, const QString
   table.setAccessibleName(name);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -5,7 +5,7 @@
 
 #include <QGuiApplication>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -97,4 +97,4 @@ double contrastRatio(const QColor& a, const QColor& b) {
   return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QPalette>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Semantic colours. The plain ones are for shapes (dots, icons, bars, frames) with a contrast of at least
 /// 3:1 against the window, the base and a selected or hovered row; the `_text` ones have 4.5:1, for text.
@@ -36,4 +36,4 @@ UiColors greyed(UiColors colors);
 /// Contrast ratio of WCAG 2, 1..21.
 double contrastRatio(const QColor& a, const QColor& b);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -4,7 +4,7 @@
 #include <QUndoGroup>
 #include <QUndoStack>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Adds the stack to the group, and activates it whenever it changes. Not owned.
 inline void joinUndo(QUndoGroup& group, QUndoStack& stack) {
@@ -14,4 +14,4 @@ inline void joinUndo(QUndoGroup& group, QUndoStack& stack) {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -5,7 +5,7 @@
 #include <QStyle>
 #include <QWidget>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 WrappingRow::WrappingRow(const QMargins& margins, int spacing) {
   setContentsMargins(margins);
@@ -96,4 +96,4 @@ int WrappingRow::arrange(const QRect& rect, bool apply) const {
   return top - rect.top() + contentsMargins().bottom();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

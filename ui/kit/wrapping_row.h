@@ -5,7 +5,7 @@
 
 #include <QLayout>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WrappingRow : public QLayout {
  public:
@@ -40,4 +40,4 @@ class WrappingRow : public QLayout {
   std::vector<Item> items_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -9,7 +9,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -98,6 +98,6 @@ void FoldHeader::keyPressEvent(QKeyEvent* event) {
 
 void FoldHeader::nextCheckState() { Q_EMIT foldWanted(!isChecked()); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_fold_header.cpp"

@@ -3,7 +3,7 @@
 
 #include <QAbstractButton>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class FoldHeader : public QAbstractButton {
   Q_OBJECT
@@ -37,4 +37,4 @@ class FoldHeader : public QAbstractButton {
   QString note_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

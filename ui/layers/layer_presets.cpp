@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using scene::Layer;
 
@@ -89,4 +89,4 @@ std::vector<LayerPreset> savedPresets(QSettings& settings) {
   return presets;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -9,7 +9,7 @@
 
 #include "ui/layers/layer_settings.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct LayerPreset {
   QString name;
@@ -33,4 +33,4 @@ void savePresets(const std::vector<LayerPreset>& presets, QSettings& settings);
 /// Those without a name are left out.
 std::vector<LayerPreset> savedPresets(QSettings& settings);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

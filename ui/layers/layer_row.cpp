@@ -19,7 +19,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -381,6 +381,6 @@ void LayerStyleEditor::askForColor() {
   dialog_->open();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_layer_row.cpp"

@@ -12,7 +12,7 @@ class QColorDialog;
 class QComboBox;
 class QDoubleSpinBox;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -132,4 +132,4 @@ class LayerRow : public QFrame {
   bool dragging_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

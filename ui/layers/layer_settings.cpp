@@ -6,7 +6,7 @@
 
 #include <QUrl>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using scene::Layer;
 
@@ -138,4 +138,4 @@ void resetVisibility(scene::MapScene& scene) {
   scene.setLayersVisible(shown);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 #include "robot/offers_topics.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// All that can be set for one layer, besides its position.
 struct LayerLook {
@@ -38,4 +38,4 @@ void resetOrderAndStyles(scene::MapScene& scene);
 /// Visibility as at first.
 void resetVisibility(scene::MapScene& scene);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

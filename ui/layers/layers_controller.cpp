@@ -19,7 +19,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 LayersController::LayersController(WindowContext& context, QObject* parent)
     : Controller(parent),
@@ -277,6 +277,6 @@ void LayersController::endMode() {
   setMode(before);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_layers_controller.cpp"

@@ -11,7 +11,7 @@
 
 class QActionGroup;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class LayersDock;
 class LegendDock;
@@ -65,4 +65,4 @@ class LayersController : public Controller {
   std::optional<ViewMode> mode_before_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -26,7 +26,7 @@
 #include "ui/layers/layer_settings.h"
 #include "ui/scene/layer_reason.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using scene::Layer;
 using scene::LayerGroup;
@@ -487,6 +487,6 @@ LayerRow* LayersDock::row(Layer layer) const {
 QToolButton* LayersDock::eye(Layer layer) const { return row(layer) ? row(layer)->eye() : nullptr; }
 QSlider* LayersDock::opacity(Layer layer) const { return row(layer) ? row(layer)->opacity() : nullptr; }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_layers_dock.cpp"

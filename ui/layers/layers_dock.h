@@ -23,7 +23,7 @@ class QSlider;
 class QToolButton;
 class QVBoxLayout;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class FoldHeader;
 class LayerRow;
@@ -75,7 +75,7 @@ class LayersDock : public QDockWidget {
  Q_SIGNALS:
   /// The user wants other topics from this robot.
   void topicsChosen(const mapwright::robot::TopicChoices& choices);
-  void zoomWanted(mapwright::scene::Layer layer);
+  void zoomWanted(mapwright::ui::scene::Layer layer);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -127,4 +127,4 @@ class LayersDock : public QDockWidget {
   bool dragging_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

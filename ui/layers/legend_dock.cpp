@@ -10,7 +10,7 @@
 #include "session/layer_grids.h"
 #include "ui/kit/forms.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -124,6 +124,6 @@ void LegendDock::refresh() {
   scroll_->setWidget(body);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_legend_dock.cpp"

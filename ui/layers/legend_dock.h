@@ -13,7 +13,7 @@
 
 class QScrollArea;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The legend of what is on screen. It is made while somebody sees it, and anew when something changes.
 class LegendDock : public QDockWidget {
@@ -41,4 +41,4 @@ class LegendDock : public QDockWidget {
   bool due_ = false;                                                 // refresh() will be called
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -203,6 +203,6 @@ PresetNameDialog* PresetMenu::askForOtherName(const QString& name) {
   return open(tr("Rename the preset"), name, [this, name](const QString& to) { rename(name, to); });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_preset_menu.cpp"

@@ -17,7 +17,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Asks for the name of a preset.
 class PresetNameDialog : public QDialog {
@@ -86,4 +86,4 @@ class PresetMenu : public QObject {
   QPointer<PresetNameDialog> dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -39,7 +39,7 @@
 #include "ui/view/map_overlay.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -703,6 +703,6 @@ void AdministrationController::askForPlaces(const map::MapKey& key) {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_administration_controller.cpp"

@@ -24,7 +24,7 @@ class QMenu;
 class QPushButton;
 class QTimer;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MappingDock;
 
@@ -140,4 +140,4 @@ class AdministrationController : public Controller {
   QElapsedTimer noticed_;  // since was_mapping_
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

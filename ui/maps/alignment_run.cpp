@@ -12,7 +12,7 @@
 #include "render/compose_grid.h"
 #include "render/dense_cache.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kComposePart = 0.2;
@@ -91,6 +91,6 @@ void AlignmentRun::start(render::PlacedGrid old_map, NewMap new_map, std::vector
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_alignment_run.cpp"

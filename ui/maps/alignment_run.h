@@ -15,7 +15,7 @@
 #include "render/sample_grid.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class AlignmentRun : public QObject {
   Q_OBJECT
@@ -43,4 +43,4 @@ class AlignmentRun : public QObject {
   work::Tasks share_;  // last member: waits for running work
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

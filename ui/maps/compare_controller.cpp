@@ -15,7 +15,7 @@
 #include "ui/view/swipe_handle.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using scene::CompareMode;
 
@@ -178,6 +178,6 @@ void CompareController::compareWithAddress(const QString& address) {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_compare_controller.cpp"

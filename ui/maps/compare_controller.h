@@ -15,7 +15,7 @@
 #include "ui/shell/window_context.h"
 #include "ui/view/compare_bar.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class SwipeHandle;
 
@@ -64,4 +64,4 @@ class CompareController : public Controller {
   std::unique_ptr<robot::Robot> source_;  // reads a file
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

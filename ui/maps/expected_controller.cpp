@@ -39,7 +39,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr auto kExpectedFolderKey = "expectedPictures/folder";
@@ -309,6 +309,6 @@ void ExpectedController::show(const Compared& compared) {
   dialog_->open();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_expected_controller.cpp"

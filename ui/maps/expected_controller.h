@@ -14,7 +14,7 @@ namespace mapwright::suite {
 struct Facts;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ExpectedController : public Controller {
   Q_OBJECT
@@ -46,4 +46,4 @@ class ExpectedController : public Controller {
   work::Tasks share_;  // comparing; goes first
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -42,7 +42,7 @@
 #include "ui/view/toast_stack.h"
 #include "words/file_name.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -511,7 +511,7 @@ void ExportController::exportMap() {
   dialog_->open();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_export_controller.cpp"
 #include "ui/kit/forms.h"

@@ -24,7 +24,7 @@ class QProgressBar;
 class QPushButton;
 class QRadioButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// What can be exported at present.
 struct ExportOffer {
@@ -130,4 +130,4 @@ class ExportController : public Controller {
   QPointer<ExportDialog> dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

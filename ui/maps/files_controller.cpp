@@ -13,7 +13,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 FilesController::FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent)
     : Controller(parent), context_(context), placing_(placing) {
@@ -80,6 +80,6 @@ bool FilesController::eventFilter(QObject* watched, QEvent* event) {
   return Controller::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_files_controller.cpp"

@@ -5,7 +5,7 @@
 #include "ui/maps/map_files.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class FilesController : public Controller {
   Q_OBJECT
@@ -27,4 +27,4 @@ class FilesController : public Controller {
   PicturePlacing& placing_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

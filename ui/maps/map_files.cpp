@@ -18,7 +18,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -217,6 +217,6 @@ void PicturePlacing::ask(const QString& path, const QStringList& named_by, const
   dialog_->open();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_map_files.cpp"

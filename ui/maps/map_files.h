@@ -20,7 +20,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The position of a plain picture in the world.
 struct PicturePlacement {
@@ -92,4 +92,4 @@ class PicturePlacing : public QObject {
   work::Tasks share_;  // last member: waits for the look-up
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 #include "ui/kit/wrapping_row.h"
 #include "ui/view/notice_bar.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -106,6 +106,6 @@ QString MappingDock::said() const {
       QLatin1Char('|'));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_mapping_dock.cpp"

@@ -10,7 +10,7 @@ class QAction;
 class QFormLayout;
 class QLabel;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -45,4 +45,4 @@ class MappingDock : public QDockWidget {
   PlainLabel *lasts_, *submaps_, *size_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -20,7 +20,7 @@
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 MapsController::MapsController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new MapsDock(&context.window)) {
@@ -216,6 +216,6 @@ void MapsController::refreshNotice() {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_maps_controller.cpp"

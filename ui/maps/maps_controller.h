@@ -6,7 +6,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MapsDock;
 
@@ -58,4 +58,4 @@ class MapsController : public Controller {
   std::optional<map::WholeMap> changed_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

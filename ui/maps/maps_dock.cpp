@@ -21,7 +21,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kMapRowPx = 56, kMapSectionPx = 24, kMapPad = 4, kSubmapsRowPx = 26, kSmallIconPx = 16;
@@ -392,6 +392,6 @@ bool MapsDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_maps_dock.cpp"

@@ -14,7 +14,7 @@ class QMenu;
 class QPushButton;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MapsDock : public QDockWidget {
   Q_OBJECT
@@ -64,4 +64,4 @@ class MapsDock : public QDockWidget {
   QPushButton* retry_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -266,6 +266,6 @@ QModelIndex MapsModel::indexOf(const map::MapKey& key) const {
   return {};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_maps_model.cpp"

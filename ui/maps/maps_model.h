@@ -11,7 +11,7 @@
 
 #include "session/session.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MapsModel : public QAbstractListModel {
   Q_OBJECT
@@ -78,4 +78,4 @@ QString mapDetail(const map::CatalogueEntry& entry);
 /// A thumbnail from a robot's bytes; null if they are invalid or too large.
 QPixmap thumbnailFrom(const QByteArray& png, int edge_px);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -16,7 +16,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 PlacePreview::PlacePreview(QWidget* parent) : QWidget(parent) {
   setMinimumSize(320, 200);
@@ -162,6 +162,6 @@ void NewMapDialog::check() {
                          : geometry::WorldRect());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_new_map_dialog.cpp"

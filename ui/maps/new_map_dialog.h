@@ -17,7 +17,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A picture over what is known of the robot's present map: both in their places.
 class PlacePreview : public QWidget {
@@ -74,4 +74,4 @@ class NewMapDialog : public QDialog {
   QPushButton *accept_, *cancel_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr QSize kPreferred(900, 480), kLeast(320, 200);
@@ -79,6 +79,6 @@ void PictureSwipe::paintEvent(QPaintEvent*) {
   painter.fillRect(QRect(divider - 1, whole.top(), 2, whole.height()), appColors().accent);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_picture_swipe.cpp"

@@ -7,7 +7,7 @@
 
 #include "ui/view/swipe_handle.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// One is seen left of the divider, the other one right of it. The divider is dragged, or moved by Left,
 /// Right, Home and End. Pictures of different sizes share their upper left corners. They are made smaller to
@@ -36,4 +36,4 @@ class PictureSwipe : public QWidget {
   QPixmap left_shown_, right_shown_;  // of the present size
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

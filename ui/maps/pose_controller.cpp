@@ -20,7 +20,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -176,6 +176,6 @@ void PoseController::find() {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_pose_controller.cpp"

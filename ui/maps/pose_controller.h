@@ -15,7 +15,7 @@ namespace mapwright::robot {
 class Localization;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PoseDock;
 class PoseTool;
@@ -46,4 +46,4 @@ class PoseController : public Controller {
   robot::Call call_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 PoseDock::PoseDock(QWidget* parent)
     : QDockWidget(tr("Robot's pose"), parent),
@@ -148,6 +148,6 @@ void PoseDock::applyTyped() {
       {x_->value(), y_->value(), geometry::normalizeAngle(geometry::radiansFromDegrees(yaw_->value()))});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_pose_dock.cpp"

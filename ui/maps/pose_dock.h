@@ -12,7 +12,7 @@ class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -73,4 +73,4 @@ class PoseDock : public QDockWidget {
   bool setting_ = false, has_pose_ = false, waiting_ = false, confirmable_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -5,7 +5,7 @@
 
 #include "jobs/set_pose.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 void PoseTool::setPose(const std::optional<geometry::Pose2>& pose) {
   if (pose == pose_) return;
@@ -58,6 +58,6 @@ QString PoseTool::hint() const {
   return tr("%1. Click or drag again, then set it in the panel. Esc leaves.").arg(jobs::poseWords(*pose_));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_pose_tool.cpp"

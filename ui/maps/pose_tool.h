@@ -6,7 +6,7 @@
 #include "geometry/pose.h"
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PoseTool : public DragTool {
   Q_OBJECT
@@ -35,4 +35,4 @@ class PoseTool : public DragTool {
   std::optional<geometry::Pose2> before_;  // the drag
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

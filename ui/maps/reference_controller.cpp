@@ -31,7 +31,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -625,6 +625,6 @@ void ReferenceController::useTool(bool on, bool pairing) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_reference_controller.cpp"

@@ -29,7 +29,7 @@
 
 class QAction;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ReferenceDock;
 class ReferenceTool;
@@ -60,7 +60,7 @@ class ReferenceController : public Controller {
 
  Q_SIGNALS:
   /// Which one, or how it lies; nullopt = none, or it is still being read.
-  void laidChanged(const std::optional<mapwright::window::LaidMap>& laid);
+  void laidChanged(const std::optional<mapwright::ui::LaidMap>& laid);
   /// Beside the map on screen, as it lies.
   void swipeWanted(const mapwright::map::WholeMap& map);
 
@@ -155,4 +155,4 @@ class ReferenceController : public Controller {
   AlignmentRun run_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -30,7 +30,7 @@
 #include "ui/scene/map_theme.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 /// How walls look that are off by a step, and its words.
@@ -341,6 +341,6 @@ bool ReferenceDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_reference_dock.cpp"

@@ -20,7 +20,7 @@ class QPushButton;
 class QStandardItemModel;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -123,4 +123,4 @@ class ReferenceDock : public QDockWidget {
   bool setting_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

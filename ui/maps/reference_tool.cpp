@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kFarTimes = 10;  // with Shift
@@ -156,6 +156,6 @@ QString ReferenceTool::hint() const {
   return tr("Click a point of the reference map, then where it is on the robot's map. Esc leaves.");
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_reference_tool.cpp"

@@ -10,7 +10,7 @@
 #include "placing/align.h"
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ReferenceTool : public DragTool {
   Q_OBJECT
@@ -62,4 +62,4 @@ class ReferenceTool : public DragTool {
   std::optional<Eigen::Vector2d> cursor_m_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

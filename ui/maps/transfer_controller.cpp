@@ -36,7 +36,7 @@
 #include "words/file_name.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -374,6 +374,6 @@ QString TransferController::alsoCalledSo(const QString& name) const {
                  : QString();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_transfer_controller.cpp"

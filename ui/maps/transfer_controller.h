@@ -16,7 +16,7 @@ class QMenu;
 class QProgressBar;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A map on its way: how far it is, and what came of it.
 class TransferDialog : public QDialog {
@@ -92,4 +92,4 @@ class TransferController : public Controller {
   work::Tasks share_;  // last member: waits for running work
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 #include <QGraphicsItem>
 #include <QPainter>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kAboveLayers = 1e6;
@@ -129,6 +129,6 @@ void WallsOffMarks::start() {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_walls_off_marks.cpp"

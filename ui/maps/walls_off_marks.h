@@ -17,7 +17,7 @@
 #include "ui/scene/map_scene.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// How far walls may be off before they are marked otherwise.
 inline constexpr std::array<double, 3> kOffSteps_m{0.1, 0.3, 1};
@@ -60,4 +60,4 @@ class WallsOffMarks : public QObject {
   work::Tasks share_;  // last member: waits for running work
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

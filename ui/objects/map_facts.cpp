@@ -7,7 +7,7 @@
 #include "ui/scene/lengths.h"
 #include "words/decimal.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 class MapText {
@@ -74,4 +74,4 @@ std::vector<scene::ObjectProperty> mapFacts(const session::MapSlot& slot, const 
   return facts;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -8,10 +8,10 @@
 #include "session/session.h"
 #include "ui/scene/map_object.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// `counts`: of its cells, once they are counted.
 std::vector<scene::ObjectProperty> mapFacts(const session::MapSlot& slot, const session::Session& session,
                                             const std::optional<grids::CellCounts>& counts);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

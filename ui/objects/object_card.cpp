@@ -11,7 +11,7 @@
 #include "ui/objects/object_facts.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kCardSymbolPx = 20, kIconPx = 16, kWidestValuePx = 260;
@@ -123,6 +123,6 @@ QStringList ObjectCard::lines() const {
   return lines;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_object_card.cpp"

@@ -11,11 +11,11 @@
 
 class QGridLayout;
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class MapScene;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -55,4 +55,4 @@ class ObjectCard : public QFrame {
   bool stays_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -12,7 +12,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 class FactText {
@@ -100,4 +100,4 @@ QString asText(const scene::MapObject& object, const std::vector<scene::ObjectPr
   return lines.join(QLatin1Char('\n'));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

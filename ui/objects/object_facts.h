@@ -11,7 +11,7 @@
 #include "session/session.h"
 #include "ui/scene/map_object.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// All that is known, the most important first. `now` is the time of day; in a replay the time of the bag is
 /// taken instead. `counts`: of the cells of a whole map.
@@ -23,4 +23,4 @@ QString calledInFull(const scene::MapObject& object);
 /// The same with all facts, a line each, for the clipboard.
 QString asText(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

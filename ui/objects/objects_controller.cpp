@@ -25,7 +25,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -474,6 +474,6 @@ void ObjectsController::copyChosen() {
   copyText(context_.overlay, asText(*chosen_, facts(*chosen_)), tr("Properties copied"));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_objects_controller.cpp"

@@ -18,7 +18,7 @@
 #include "ui/view/map_tool.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ObjectCard;
 class ObjectsDock;
@@ -45,7 +45,7 @@ class ObjectsController : public Controller {
   ~ObjectsController() override;
 
  Q_SIGNALS:
-  void chose(const mapwright::scene::MapObject& object);
+  void chose(const mapwright::ui::scene::MapObject& object);
 
  private:
   void addActions();
@@ -95,4 +95,4 @@ class ObjectsController : public Controller {
   work::Tasks tasks_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -17,7 +17,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/objects/objects_model.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -152,6 +152,6 @@ bool ObjectsDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_objects_dock.cpp"

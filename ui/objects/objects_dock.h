@@ -11,11 +11,11 @@ class QLineEdit;
 class QSortFilterProxyModel;
 class QTableView;
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class MapScene;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class NameColumn;
 class ObjectsModel;
@@ -35,8 +35,8 @@ class ObjectsDock : public QDockWidget {
   QTableView* table() const { return table_; }
 
  Q_SIGNALS:
-  void chosen(const mapwright::scene::ObjectId& id);        // by a click or the arrow keys
-  void locateWanted(const mapwright::scene::ObjectId& id);  // by a double click or Enter
+  void chosen(const mapwright::ui::scene::ObjectId& id);        // by a click or the arrow keys
+  void locateWanted(const mapwright::ui::scene::ObjectId& id);  // by a double click or Enter
   void shown();
 
  protected:
@@ -55,4 +55,4 @@ class ObjectsDock : public QDockWidget {
   bool more_ = false, pointing_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

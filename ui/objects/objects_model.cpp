@@ -7,7 +7,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/objects/object_facts.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr int kRowSymbolPx = 16;
@@ -60,6 +60,6 @@ QVariant ObjectsModel::headerData(int section, Qt::Orientation orientation, int 
   return {};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_objects_model.cpp"

@@ -7,7 +7,7 @@
 
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ObjectsModel : public QAbstractTableModel {
   Q_OBJECT
@@ -33,4 +33,4 @@ class ObjectsModel : public QAbstractTableModel {
   std::vector<scene::MapObject> objects_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

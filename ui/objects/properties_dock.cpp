@@ -15,7 +15,7 @@
 #include "ui/objects/object_facts.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kSymbolPx = 20, kNameLetters = 18, kLeastNameLetters = 8;
@@ -127,6 +127,6 @@ bool PropertiesDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_properties_dock.cpp"

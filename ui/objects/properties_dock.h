@@ -13,11 +13,11 @@ class QPushButton;
 class QStandardItemModel;
 class QTableView;
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class MapScene;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class NameColumn;
 class PlainLabel;
@@ -54,4 +54,4 @@ class PropertiesDock : public QDockWidget {
   std::vector<scene::ObjectProperty> facts_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

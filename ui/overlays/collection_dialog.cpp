@@ -17,7 +17,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using overlays::Feature;
 using overlays::JsonKind;
@@ -99,6 +99,6 @@ Feature CollectionDialog::edited() const {
   return edited;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_collection_dialog.cpp"

@@ -12,7 +12,7 @@
 class QDoubleSpinBox;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CollectionDialog : public QDialog {
   Q_OBJECT
@@ -34,4 +34,4 @@ class CollectionDialog : public QDialog {
   QPushButton *apply_, *cancel_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -9,7 +9,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_dock.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 OverlayActions::OverlayActions(WindowContext& context, edit::OverlayEditing* editing, OverlayTool* tool,
                                OverlaySnapping* snapping, OverlaysDock* dock, QObject* parent)
@@ -131,6 +131,6 @@ void OverlayActions::refresh() {
   allow(defaults_, editing_->editable(), tr("Open the overlays of a map first."));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_actions.cpp"

@@ -13,7 +13,7 @@
 #include "ui/overlays/overlay_teaching.h"
 #include "ui/overlays/overlay_transfer.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CollectionDialog;
 class OverlaysDock;
@@ -48,4 +48,4 @@ class OverlayActions : public QObject {
   QPointer<CollectionDialog> defaults_dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

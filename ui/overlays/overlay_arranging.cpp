@@ -8,7 +8,7 @@
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using geometry::WorldRect;
 using overlays::Alignment;
@@ -86,6 +86,6 @@ void OverlayArranging::refresh() {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_arranging.cpp"

@@ -11,7 +11,7 @@
 
 class QMenu;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayArranging : public QObject {
   Q_OBJECT
@@ -31,4 +31,4 @@ class OverlayArranging : public QObject {
   std::vector<std::pair<QAction*, std::size_t>> actions_;  // with how many it takes at least
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 QString unreadableOldOverlays(const QString& why) {
@@ -163,6 +163,6 @@ bool OverlayCarrying::put(const std::vector<int>& going) {
   return true;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_carrying.cpp"

@@ -12,7 +12,7 @@
 #include "ui/carry/carrying.h"
 #include "ui/overlays/overlay_marks.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayCarrying : public Carrying {
   Q_OBJECT
@@ -55,4 +55,4 @@ class OverlayCarrying : public Carrying {
   std::map<std::string, overlays::FeatureKey> became_;  // by the ids of rows
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

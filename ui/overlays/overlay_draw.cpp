@@ -5,7 +5,7 @@
 
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using Eigen::Vector2d;
 using overlays::Shape;
@@ -226,6 +226,6 @@ QString OverlayDrawCircle::hint() const {
          (hold() ? tr("Esc cancels.") : tr("Click where the circle ends. Esc cancels."));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_draw.cpp"

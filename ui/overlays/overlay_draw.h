@@ -9,7 +9,7 @@
 #include "ui/overlays/overlay_snapping.h"
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class OverlayMode { Select, Point, Line, Polygon, Rectangle, Circle };
 inline constexpr int kOverlayModes = 6;
@@ -109,4 +109,4 @@ class OverlayDrawCircle : public OverlayDrawRectangle {
   double radius_m_ = 0;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/state_mark.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using overlays::Rule;
 
@@ -152,6 +152,6 @@ void OverlayFlaws::remember(QSettings& settings) const {
   settings.setValue(kRadiusKey, radius_->value());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_flaws.cpp"

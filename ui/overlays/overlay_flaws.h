@@ -18,7 +18,7 @@ class QListWidget;
 class QMenu;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A flaw of a feature, as a sentence.
 struct ShownFlaw {
@@ -51,7 +51,7 @@ class OverlayFlaws : public QWidget {
 
  Q_SIGNALS:
   void optionsChanged();
-  void chosen(const mapwright::window::ShownFlaw& flaw);
+  void chosen(const mapwright::ui::ShownFlaw& flaw);
 
  private:
   void fillMenu();
@@ -65,4 +65,4 @@ class OverlayFlaws : public QWidget {
   QLabel *more_, *not_checked_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

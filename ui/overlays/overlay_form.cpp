@@ -25,7 +25,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using overlays::JsonText;
 using overlays::Shape;
@@ -420,6 +420,6 @@ void OverlayPoints::onCellChanged(int row, int column) {
   refresh();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_form.cpp"

@@ -18,7 +18,7 @@ class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Fills a picker with the types of a shape, "Virtual wall (2)", and chooses `type`, known or not.
 void showTypes(QComboBox& picker, overlays::Shape shape, int type);
@@ -84,4 +84,4 @@ class OverlayPoints : public QWidget {
   bool refreshing_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

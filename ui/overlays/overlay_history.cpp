@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using history::VersionStore;
 
@@ -76,6 +76,6 @@ void OverlayHistory::list(std::function<void(tl::expected<std::vector<history::K
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_history.cpp"

@@ -14,7 +14,7 @@
 #include "history/version_store.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayHistory : public QObject {
   Q_OBJECT
@@ -51,4 +51,4 @@ class OverlayHistory : public QObject {
   work::Tasks share_;  // last
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

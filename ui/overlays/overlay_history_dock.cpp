@@ -23,7 +23,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using history::KeptVersion;
 using overlays::OverlayDocument;
@@ -445,6 +445,6 @@ QString OverlayHistoryDock::troubleShown() const {
   return trouble_->isHidden() ? QString() : trouble_->text();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_history_dock.cpp"

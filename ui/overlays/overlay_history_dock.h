@@ -21,7 +21,7 @@ class QListWidget;
 class QPushButton;
 class QTableWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayHistoryDock : public QDockWidget {
   Q_OBJECT
@@ -99,4 +99,4 @@ class OverlayHistoryDock : public QDockWidget {
   bool filling_ = false, read_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

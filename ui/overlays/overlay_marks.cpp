@@ -10,7 +10,7 @@
 #include "ui/scene/drawing.h"
 #include "ui/scene/map_theme.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using Kind = OverlayMark::Kind;
@@ -205,6 +205,6 @@ void OverlayMarks::show(std::vector<OverlayMark> marks) {
 
 const std::vector<OverlayMark>& OverlayMarks::shown() const { return item_->marks(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_marks.cpp"

@@ -16,7 +16,7 @@
 #include "ui/scene/drawn_waypoint.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct OverlayMark {
   enum class Kind { Added, Removed, Before, After, Way, Blocked, BlockedWay, State };
@@ -53,4 +53,4 @@ class OverlayMarks : public QObject {
   std::unique_ptr<Item> item_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 enum MarkColumn { kMarkColumn, kMarkPlaceColumn, kMarkStateColumn };
@@ -100,6 +100,6 @@ void OverlayMarksDialog::refresh() {
   take_->setEnabled(count > 0);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_marks_dialog.cpp"

@@ -10,7 +10,7 @@
 class QPushButton;
 class QTableWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayMarksDialog : public QDialog {
   Q_OBJECT
@@ -31,4 +31,4 @@ class OverlayMarksDialog : public QDialog {
   QPushButton *take_, *cancel_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -8,7 +8,7 @@
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 OverlayReview::OverlayReview(const QString& map, const QString& robot, const QStringList& changes,
                              const QString& note, QWidget* parent)
@@ -48,6 +48,6 @@ QStringList OverlayReview::changesShown() const {
   return texts;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_review.cpp"

@@ -8,7 +8,7 @@ class QLabel;
 class QListWidget;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayReview : public QDialog {
   Q_OBJECT
@@ -26,4 +26,4 @@ class OverlayReview : public QDialog {
   QPushButton *save_, *cancel_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

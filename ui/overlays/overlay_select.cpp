@@ -9,7 +9,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using Eigen::Vector2d;
 using overlays::Shape;
@@ -450,6 +450,6 @@ QString OverlaySelect::hint() const {
   return hint;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_select.cpp"

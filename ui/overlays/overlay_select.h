@@ -11,7 +11,7 @@
 #include "ui/overlays/overlays_on_map.h"
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlaySelect : public DragTool {
   Q_OBJECT
@@ -85,4 +85,4 @@ class OverlaySelect : public DragTool {
   mutable std::optional<Rings> rings_;  // made when they are asked for
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -12,7 +12,7 @@
 #include "ui/scene/drawing.h"
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using overlays::SnapKinds;
@@ -160,6 +160,6 @@ void OverlaySnapping::paint(QPainter& painter, const Snapped& place) const {
   painter.restore();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_snapping.cpp"

@@ -15,7 +15,7 @@
 
 class QPainter;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlaySnapping : public QObject {
   Q_OBJECT
@@ -56,4 +56,4 @@ class OverlaySnapping : public QObject {
   std::optional<placing::Ground> ground_;     // of the last map
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -21,7 +21,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using robot::Sight;
 using robot::SightEdge;
@@ -260,6 +260,6 @@ void OverlayTeaching::addMarks(const std::vector<overlays::MarkOffer>& chosen) {
   context_.overlay.toasts()->add(Mark::Good, tr("Taken from the robot: %1").arg(text));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_teaching.cpp"

@@ -18,7 +18,7 @@
 
 class QMenu;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayMarksDialog;
 
@@ -72,4 +72,4 @@ class OverlayTeaching : public QObject {
   QPointer<OverlayMarksDialog> dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

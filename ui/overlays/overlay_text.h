@@ -4,7 +4,7 @@
 #include "overlays/editing_document.h"
 #include "overlays/overlay_sentence.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using overlays::changeText;
 using overlays::Feature;
@@ -18,4 +18,4 @@ using overlays::overlayName;
 using overlays::partName;
 using overlays::valueText;
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

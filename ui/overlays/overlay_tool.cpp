@@ -11,7 +11,7 @@
 #include "overlays/overlay_types.h"
 #include "ui/overlays/overlay_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using Eigen::Vector2d;
 using overlays::Shape;
@@ -229,6 +229,6 @@ QString OverlayTool::hint() const {
   return editing_->editable() ? hand().hint() : tr("The overlays are being saved.");
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_tool.cpp"

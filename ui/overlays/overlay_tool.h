@@ -9,7 +9,7 @@
 #include "ui/overlays/overlay_select.h"
 #include "ui/overlays/overlay_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayTool : public MapTool {
   Q_OBJECT
@@ -89,4 +89,4 @@ class OverlayTool : public MapTool {
   std::optional<Eigen::Vector2d> cursor_m_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -18,7 +18,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 const QString kGeoJsonType = QStringLiteral("application/geo+json");
@@ -102,6 +102,6 @@ void OverlayTransfer::paste(std::optional<Eigen::Vector2d> at_m) {
     context_.view.fit(around.grown(kAroundPastedM), true);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlay_transfer.cpp"

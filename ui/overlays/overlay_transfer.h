@@ -11,7 +11,7 @@
 
 class QMenu;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayTransfer : public QObject {
   Q_OBJECT
@@ -33,4 +33,4 @@ class OverlayTransfer : public QObject {
   QAction *copy_, *cut_, *paste_, *paste_here_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kAroundChangeM = 2;
@@ -75,4 +75,4 @@ void OverlaysController::saveVersion(const QString& suggested, const std::string
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

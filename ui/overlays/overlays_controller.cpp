@@ -32,7 +32,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using overlays::OverlayDocument;
 
@@ -596,6 +596,6 @@ void OverlaysController::discardAll(std::function<void()> then) {
   then();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlays_controller.cpp"

@@ -21,7 +21,7 @@
 #include "ui/shell/editor_controller.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayActions;
 class OverlayCarrying;
@@ -146,4 +146,4 @@ class OverlaysController : public EditorController {
   work::Tasks share_;                                        // last
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -30,7 +30,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlays_model.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using overlays::EditingDocument;
 
@@ -476,6 +476,6 @@ bool OverlaysDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlays_dock.cpp"

@@ -23,7 +23,7 @@ class QTableView;
 class QTabWidget;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class OverlayFilter;
 class OverlayForm;
@@ -77,7 +77,7 @@ class OverlaysDock : public QDockWidget {
   void showConflicts();
 
  Q_SIGNALS:
-  void modeWanted(mapwright::window::OverlayMode mode);
+  void modeWanted(mapwright::ui::OverlayMode mode);
   void reviewWanted();
   void retryWanted();
   void draftWanted();
@@ -132,4 +132,4 @@ class OverlaysDock : public QDockWidget {
   std::optional<overlays::EditingDocument::Conflict> deciding_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using State = overlays::EditingDocument::State;
 
@@ -200,6 +200,6 @@ bool OverlayFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
   return order_.compare(left.data().toString(), right.data().toString()) < 0;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlays_model.cpp"

@@ -12,7 +12,7 @@
 #include "edit/overlays/overlay_editing.h"
 #include "ui/overlays/overlay_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// What the list may be filtered by; bits.
 enum OverlayFilterBit {
@@ -81,4 +81,4 @@ class OverlayFilter : public QSortFilterProxyModel {
   QCollator order_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

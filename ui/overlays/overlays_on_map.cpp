@@ -7,7 +7,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "ui/scene/drawing.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 OverlaysOnMap::OverlaysOnMap(edit::OverlayEditing* editing, scene::MapScene* scene, QObject* parent)
     : QObject(parent), editing_(editing), scene_(scene) {
@@ -148,6 +148,6 @@ std::set<FeatureKey> OverlaysOnMap::within(const QRectF& frame_px) const {
   return keys;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_overlays_on_map.cpp"

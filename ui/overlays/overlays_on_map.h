@@ -13,7 +13,7 @@
 #include "ui/overlays/overlay_text.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// While more of them are moved at once, the scene draws only the others, and the tool marks these.
 inline constexpr std::size_t kMostDrawnInHand = 100;
@@ -59,4 +59,4 @@ class OverlaysOnMap : public QObject {
   bool lifted_ = false;                   // the scene has none of them: there are too many to draw all anew
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

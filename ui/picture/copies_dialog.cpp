@@ -17,7 +17,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kLongestName = 120;
@@ -130,6 +130,6 @@ void CopiesDialog::refresh() {
 
 QString CopiesDialog::statusShown() const { return status_->text(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_copies_dialog.cpp"

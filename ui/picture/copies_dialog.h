@@ -14,7 +14,7 @@ class QLabel;
 class QPushButton;
 class QTableWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CopiesDialog : public QDialog {
   Q_OBJECT
@@ -49,4 +49,4 @@ class CopiesDialog : public QDialog {
   QPushButton *put_back_, *open_, *show_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -28,7 +28,7 @@
 #include "ui/view/tool_choice.h"
 #include "words/file_name.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using session::MapSlot;
@@ -602,6 +602,6 @@ void PictureController::discardAll(std::function<void()> then) {
   when_reverted_ = std::move(then);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_picture_controller.cpp"

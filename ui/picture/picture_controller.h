@@ -16,7 +16,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/shell/editor_controller.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CopiesDialog;
 class PictureDock;
@@ -117,4 +117,4 @@ class PictureController : public EditorController {
   work::Tasks share_;  // last
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

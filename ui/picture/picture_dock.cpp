@@ -19,7 +19,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -414,6 +414,6 @@ void PictureDock::refresh() {
   save_->setEnabled(unsaved && !saving_ && editing_->conflicts() == 0);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_picture_dock.cpp"

@@ -14,7 +14,7 @@ class QSpinBox;
 class QToolButton;
 class QVBoxLayout;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PictureDock : public QDockWidget {
   Q_OBJECT
@@ -48,7 +48,7 @@ class PictureDock : public QDockWidget {
  Q_SIGNALS:
   void draftWanted();
   void draftNotWanted();
-  void modeWanted(mapwright::window::PaintMode mode);
+  void modeWanted(mapwright::ui::PaintMode mode);
   void lookWanted(mapwright::edit::Tidying what, int cells);
   void saveWanted();
   /// The part that had the focus is gone: otherwise keys for the map would be typed into the next field.
@@ -105,4 +105,4 @@ class PictureDock : public QDockWidget {
   std::optional<int> travelled_;  // percent
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -6,7 +6,7 @@
 
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -333,6 +333,6 @@ QString PictureTool::hint() const {
   return {};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_picture_tool.cpp"

@@ -8,7 +8,7 @@
 #include "edit/picture/picture_editing.h"
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// How to mark a cell that would become this kind: distinguishable by lightness and hatching, not only by
 /// colour.
@@ -69,4 +69,4 @@ class PictureTool : public DragTool {
   bool copies_ = false;                   // and leaves the original
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@
 
 #include "ui/plots/plot_selection.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct FieldAt {
   series::FieldPath path;
@@ -34,7 +34,7 @@ class MessageView : public QPlainTextEdit {
   std::function<void(std::unique_ptr<QMimeData>)> carry;
 
  Q_SIGNALS:
-  void plotWanted(const mapwright::window::PlotSelection& selection);
+  void plotWanted(const mapwright::ui::PlotSelection& selection);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -48,4 +48,4 @@ class MessageView : public QPlainTextEdit {
   QPoint pressed_at_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

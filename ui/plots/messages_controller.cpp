@@ -6,7 +6,7 @@
 #include "ui/plots/messages_dock.h"
 #include "ui/view/map_overlay.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 MessagesController::MessagesController(WindowContext& context, QObject* parent)
     : Controller(parent), dock_(new MessagesDock({}, &context.window)) {
@@ -29,6 +29,6 @@ MessagesController::MessagesController(WindowContext& context, QObject* parent)
 
 void MessagesController::setSession(session::Session* session) { dock_->setSession(session); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_messages_controller.cpp"

@@ -4,7 +4,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MessagesDock;
 
@@ -20,4 +20,4 @@ class MessagesController : public Controller {
   MessagesDock* dock_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -24,7 +24,7 @@
 #include "ui/plots/message_view.h"
 #include "ui/view/replay_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -380,6 +380,6 @@ void MessagesDock::showMenu(const QPoint& at) {
   menu.exec(table_->viewport()->mapToGlobal(at));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_messages_dock.cpp"

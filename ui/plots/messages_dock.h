@@ -18,7 +18,7 @@ class QSplitter;
 class QStringListModel;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MessageView;
 class PlainLabel;
@@ -54,7 +54,7 @@ class MessagesDock : public QDockWidget {
 
  Q_SIGNALS:
   void copyWanted(const QString& text, const QString& what);
-  void plotWanted(const mapwright::window::PlotSelection& selection);
+  void plotWanted(const mapwright::ui::PlotSelection& selection);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -94,4 +94,4 @@ class MessagesDock : public QDockWidget {
   QPushButton *add_, *pause_, *clear_, *copy_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

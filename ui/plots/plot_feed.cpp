@@ -9,7 +9,7 @@
 #include "replay/replay_robot.h"
 #include "series/fields.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using series::Quantity;
 using series::Sample;
@@ -338,6 +338,6 @@ void PlotFeed::coverLive() {
   updateSoon();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_plot_feed.cpp"

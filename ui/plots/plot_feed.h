@@ -19,7 +19,7 @@
 #include "ui/plots/plot_selection.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlotFeed : public QObject {
   Q_OBJECT
@@ -97,4 +97,4 @@ class PlotFeed : public QObject {
   work::Tasks share_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

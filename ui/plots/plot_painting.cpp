@@ -10,7 +10,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/plots/plot_widget.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -286,4 +286,4 @@ void PlotWidget::paintEvent(QPaintEvent*) {
   paintMoving(painter);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -6,14 +6,14 @@
 
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using series::Quantity;
 
 namespace {
 
 class PlotSelectionText {
-  Q_DECLARE_TR_FUNCTIONS(mapwright::window::PlotSelection)
+  Q_DECLARE_TR_FUNCTIONS(mapwright::ui::PlotSelection)
 };
 
 struct QuantityLook {
@@ -23,18 +23,18 @@ struct QuantityLook {
   const char* unit;  // "": none
 };
 constexpr QuantityLook kQuantityLooks[] = {
-    {Quantity::X, "x", QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Position x"),
-     QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "m")},
-    {Quantity::Y, "y", QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Position y"),
-     QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "m")},
-    {Quantity::Yaw, "yaw", QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Heading"), "°"},
-    {Quantity::Speed, "speed", QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Speed"),
-     QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "m/s")},
+    {Quantity::X, "x", QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Position x"),
+     QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "m")},
+    {Quantity::Y, "y", QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Position y"),
+     QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "m")},
+    {Quantity::Yaw, "yaw", QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Heading"), "°"},
+    {Quantity::Speed, "speed", QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Speed"),
+     QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "m/s")},
     {Quantity::PositionQuality, "quality",
-     QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Localization quality"), ""},
-    {Quantity::MatchingScore, "score",
-     QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Matching score"), ""},
-    {Quantity::Battery, "battery", QT_TRANSLATE_NOOP("mapwright::window::PlotSelection", "Battery"), "%"}};
+     QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Localization quality"), ""},
+    {Quantity::MatchingScore, "score", QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Matching score"),
+     ""},
+    {Quantity::Battery, "battery", QT_TRANSLATE_NOOP("mapwright::ui::PlotSelection", "Battery"), "%"}};
 
 /// nullptr: a field.
 const QuantityLook* lookOf(const PlotSelection& selection) {
@@ -84,4 +84,4 @@ std::optional<PlotSelection> plotFromMime(const QMimeData& mime) {
   return path ? std::optional<PlotSelection>(std::move(*path)) : std::nullopt;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

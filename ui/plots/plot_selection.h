@@ -11,7 +11,7 @@
 
 #include "series/fields.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using PlotSelection = std::variant<series::Quantity, series::FieldPath>;
 
@@ -30,4 +30,4 @@ std::unique_ptr<QMimeData> mimeOf(const PlotSelection& selection);
 /// A field of ours, or a text with the path of one.
 std::optional<PlotSelection> plotFromMime(const QMimeData& mime);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

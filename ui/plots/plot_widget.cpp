@@ -18,7 +18,7 @@
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr double kPlotMargin = 0.06, kShortest_s = 0.01;
@@ -347,6 +347,6 @@ void PlotWidget::dropEvent(QDropEvent* event) {
   Q_EMIT dropped(*selection);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_plot_widget.cpp"

@@ -19,7 +19,7 @@
 
 class QMenu;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 // The looks of curves: colours, and shapes of their marks.
 inline constexpr int kPlotLooks = 8;
@@ -84,7 +84,7 @@ class PlotWidget : public QWidget {
   void spanWanted(double from_s, double until_s);
   void allWanted();
   void pointed(std::optional<double> at_s);
-  void dropped(const mapwright::window::PlotSelection& selection);
+  void dropped(const mapwright::ui::PlotSelection& selection);
   void curveUnwanted(int curve);
   void plotUnwanted();
   void sinceWanted(bool seconds);  // or the time of day
@@ -145,4 +145,4 @@ class PlotWidget : public QWidget {
   std::optional<Grip> grip_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

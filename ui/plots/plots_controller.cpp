@@ -12,7 +12,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/view/replay_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 const QString kLayout = QStringLiteral("plots/layout");
@@ -87,6 +87,6 @@ void PlotsController::plot(const PlotSelection& selection) {
   dock_->addCurve(dock_->plots().back(), selection);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_plots_controller.cpp"

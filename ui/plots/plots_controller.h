@@ -8,7 +8,7 @@
 #include "ui/shell/replay_clock.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlotsDock;
 
@@ -41,4 +41,4 @@ class PlotsController : public Controller {
   PlotsDock* dock_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -21,7 +21,7 @@
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using series::Quantity;
 
@@ -413,6 +413,6 @@ void PlotsDock::clearPlots() {
   removePlot(plots_.front());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_plots_dock.cpp"

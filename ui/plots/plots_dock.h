@@ -20,7 +20,7 @@ class QSplitter;
 class QStringListModel;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -108,4 +108,4 @@ class PlotsDock : public QDockWidget {
   PlainLabel* said_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

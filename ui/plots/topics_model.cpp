@@ -8,7 +8,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr qint64 kShortestSpanMs = 1'000;  // a single message just now does not mean a thousand per second
@@ -218,6 +218,6 @@ QVariant TopicsModel::headerData(int section, Qt::Orientation orientation, int r
   return role == Qt::DisplayRole ? names.value(section) : QVariant();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_topics_model.cpp"

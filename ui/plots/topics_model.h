@@ -14,7 +14,7 @@
 
 #include "robot/robot.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct TopicTally {
   QString topic;
@@ -116,4 +116,4 @@ class TopicsModel : public QAbstractTableModel {
   std::vector<Row> rows_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -21,7 +21,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using scene::Layer;
@@ -299,6 +299,6 @@ QString MapFetch::askWhere() {
   return path;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_map_fetch.cpp"

@@ -21,7 +21,7 @@ class ExportJob;
 struct WholeMapExport;
 }  // namespace mapwright::jobs
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MapFetch : public QObject {
   Q_OBJECT
@@ -91,4 +91,4 @@ class MapFetch : public QObject {
   work::Tasks share_;                // last member: waits for running work
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 RectangleTool::RectangleTool(const scene::MapScene* scene,
                              std::function<QString(const geometry::WorldRect&)> describe, QObject* parent)
@@ -13,6 +13,6 @@ QString RectangleTool::hint() const {
   return drawn ? describe_(drawn->rect()) : tr("Drag a rectangle over the region to fetch. Esc: back");
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_rectangle_tool.cpp"

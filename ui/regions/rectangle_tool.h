@@ -5,7 +5,7 @@
 
 #include "ui/view/drag_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// A drag draws it; it is reported once when the button is released.
 class RectangleTool : public DragShapeTool {
@@ -27,4 +27,4 @@ class RectangleTool : public DragShapeTool {
   std::function<QString(const geometry::WorldRect&)> describe_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -37,7 +37,7 @@
 #include "ui/view/tool_choice.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -434,6 +434,6 @@ void RegionsController::drawRectangle() {
   if (fetch_region_->isEnabled()) context_.tools.choose(tool_);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_regions_controller.cpp"

@@ -22,7 +22,7 @@ class QLineEdit;
 class QMessageBox;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Asks for the name of the file that the robot writes its map to on its own disk. Stays open until the robot
 /// has answered, and shows the answer next to the input.
@@ -113,4 +113,4 @@ class RegionsController : public Controller {
   std::unique_ptr<MapFetch> map_fetch_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

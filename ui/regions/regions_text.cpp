@@ -9,7 +9,7 @@
 #include "regions/region_sentence.h"
 #include "regions/region_sheet.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 class MapByRegionsText {
@@ -208,4 +208,4 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
           Offer::Retry};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -9,7 +9,7 @@
 #include "robot/map_dispatch.h"
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// "7 of 9 regions, 6.2 MB".
 QString regionsStatus(const regions::MapRegions& map);
@@ -45,4 +45,4 @@ struct RegionsNotice {
 RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
                             const std::optional<robot::MapExtent>& extent);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -25,7 +25,7 @@
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using replay::Event;
 
@@ -400,6 +400,6 @@ bool EventsDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_events_dock.cpp"

@@ -16,7 +16,7 @@ class QComboBox;
 class QPushButton;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Which events are rows.
 struct EventFilter {
@@ -118,4 +118,4 @@ class EventsDock : public ListDock {
   bool reads_all_ = true;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

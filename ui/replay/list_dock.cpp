@@ -11,7 +11,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/wrapping_row.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr int kSummaryPx = 150;
@@ -64,6 +64,6 @@ void ListDock::showInstead(const QString& sentence) {
 QString ListDock::summaryShown() const { return summary_->text(); }
 QString ListDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_list_dock.cpp"

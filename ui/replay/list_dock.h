@@ -11,7 +11,7 @@ class QLineEdit;
 class QPushButton;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -46,4 +46,4 @@ class ListDock : public QDockWidget {
   QLabel* empty_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -27,7 +27,7 @@
 #include "ui/replay/timeline_axis.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -38,15 +38,15 @@ struct KindChoice {
 };
 constexpr KindChoice kKindChoices[] = {
     {excerpt::Kind::Mcap, ".mcap",
-     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Messages, can be replayed (MCAP)")},
+     QT_TRANSLATE_NOOP("mapwright::ui::RangeExportDialog", "Messages, can be replayed (MCAP)")},
     {excerpt::Kind::Lines, ".jsonl",
-     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Messages, one per line (JSON lines)")},
+     QT_TRANSLATE_NOOP("mapwright::ui::RangeExportDialog", "Messages, one per line (JSON lines)")},
     {excerpt::Kind::TrackGeoJson, ".geojson",
-     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Path of the robot (GeoJSON)")},
+     QT_TRANSLATE_NOOP("mapwright::ui::RangeExportDialog", "Path of the robot (GeoJSON)")},
     {excerpt::Kind::TrackCsv, ".csv",
-     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Path of the robot (CSV)")},
+     QT_TRANSLATE_NOOP("mapwright::ui::RangeExportDialog", "Path of the robot (CSV)")},
     {excerpt::Kind::TrackTum, ".tum",
-     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Path of the robot (TUM)")}};
+     QT_TRANSLATE_NOOP("mapwright::ui::RangeExportDialog", "Path of the robot (TUM)")}};
 
 QString fileNameOf(const QString& bag) {
   QString name = QFileInfo(words::plainName(bag)).completeBaseName();
@@ -326,6 +326,6 @@ void RangeExportDialog::reject() {
   QDialog::reject();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_range_export_dialog.cpp"

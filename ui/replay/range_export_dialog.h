@@ -16,7 +16,7 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The open bag.
 struct RangeOffer {
@@ -92,4 +92,4 @@ class RangeExportDialog : public QDialog {
   std::unique_ptr<excerpt::ExcerptJob> job_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -11,7 +11,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -84,6 +84,6 @@ robot::BagOrder RecordDialog::order() const {
   return order;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_record_dialog.cpp"

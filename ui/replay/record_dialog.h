@@ -13,7 +13,7 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class RecordDialog : public QDialog {
   Q_OBJECT
@@ -42,4 +42,4 @@ class RecordDialog : public QDialog {
   bool asking_ = false, bad_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -27,7 +27,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 const QString kRecordingFolderKey = QStringLiteral("recording/folder");
@@ -258,6 +258,6 @@ void RecordingController::reportProgress() {
   told_ = now.written.fault;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_recording_controller.cpp"

@@ -11,7 +11,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -60,4 +60,4 @@ class RecordingController : public Controller {
   int not_had_ = 0;  // additional requests that failed
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -24,7 +24,7 @@
 #include "words/file_name.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using robot::BagKey;
 
@@ -273,6 +273,6 @@ void RecordingsController::remove(const BagKey& key) {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_recordings_controller.cpp"

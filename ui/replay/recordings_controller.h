@@ -12,7 +12,7 @@
 #include "ui/replay/recordings_dock.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class RecordDialog;
 
@@ -57,4 +57,4 @@ class RecordingsController : public Controller {
   QPointer<QMessageBox> question_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -23,7 +23,7 @@
 #include "ui/replay/timeline_axis.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -376,6 +376,6 @@ bool RecordingsDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_recordings_dock.cpp"

@@ -15,7 +15,7 @@
 class QPushButton;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Additional text for a row.
 struct BagNote {
@@ -127,4 +127,4 @@ class RecordingsDock : public ListDock {
   RecordingsState state_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

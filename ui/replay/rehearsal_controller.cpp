@@ -28,7 +28,7 @@
 #include "ui/shell/viewpoint.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kAroundPlace_m = 3;
@@ -246,6 +246,6 @@ void RehearsalController::setSession(session::Session*) {
   forget({});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_rehearsal_controller.cpp"

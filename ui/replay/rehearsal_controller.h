@@ -25,7 +25,7 @@ namespace mapwright::excerpt {
 class ExcerptJob;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class RehearsalDock;
 
@@ -73,4 +73,4 @@ class RehearsalController : public Controller {
   work::Tasks share_;  // last member: waits for running work
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

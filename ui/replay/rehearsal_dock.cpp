@@ -16,7 +16,7 @@
 #include "ui/replay/timeline_axis.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 QIcon sampleOf(carry::Crossing what, const scene::MapTheme& theme) {
@@ -115,6 +115,6 @@ bool RehearsalDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_rehearsal_dock.cpp"

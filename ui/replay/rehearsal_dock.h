@@ -14,7 +14,7 @@ class QPushButton;
 class QStandardItemModel;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Kinds differ by width and dashes, too, not only by colour.
 QPen penOf(carry::Crossing what, const scene::MapTheme& theme);
@@ -51,4 +51,4 @@ class RehearsalDock : public QDockWidget {
   QTableView* table_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -42,7 +42,7 @@
 #include "ui/view/toast_stack.h"
 #include "words/file_name.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using robot::ConnectionPhase;
 
@@ -540,6 +540,6 @@ bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
   return Controller::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_replay_controller.cpp"

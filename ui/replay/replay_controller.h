@@ -19,11 +19,11 @@ class QAction;
 class QKeyEvent;
 class QMenu;
 
-namespace mapwright::reporting {
+namespace mapwright::ui::reporting {
 class ReportJob;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class EventsDock;
 class RangeExportDialog;
@@ -124,4 +124,4 @@ class ReplayController : public Controller {
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

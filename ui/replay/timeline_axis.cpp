@@ -9,7 +9,7 @@
 
 #include "replay/player.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::optional<double> speedTyped(const QString& typed) {
   return speed;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The visible part of a bag, and its width.
 struct TimelineAxis {
@@ -47,4 +47,4 @@ QString speedText(double speed);
 /// "2", "0.5x", "-1 x"; nullopt: invalid, or outside of replay::Player's limits.
 std::optional<double> speedTyped(const QString& text);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

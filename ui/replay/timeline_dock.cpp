@@ -24,7 +24,7 @@
 #include "ui/shell/window_status_bar.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using replay::Knowledge;
 
@@ -382,6 +382,6 @@ bool TimelineDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_timeline_dock.cpp"

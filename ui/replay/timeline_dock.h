@@ -12,7 +12,7 @@ class QLineEdit;
 class QPushButton;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 class StateLabel;
@@ -88,4 +88,4 @@ class TimelineDock : public QDockWidget {
   QString opening_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -8,7 +8,7 @@
 #include <QPen>
 #include <QPolygonF>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using replay::Event;
 using replay::EventKind;
@@ -181,4 +181,4 @@ QPixmap eventMarkPixmap(const EventMark& mark, int px, double pixel_ratio) {
   return pixmap;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 
 class QPainter;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class EventShape { Triangle, Ring, Tick, Diamond, Square, Disc };
 
@@ -66,4 +66,4 @@ void paintEventMark(QPainter& painter, const QPointF& at, const EventMark& mark,
 /// A square of `px` with the mark in its centre; transparent around it.
 QPixmap eventMarkPixmap(const EventMark& mark, int px, double pixel_ratio);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

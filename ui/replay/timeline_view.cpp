@@ -19,7 +19,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -502,6 +502,6 @@ void TimelineView::paintCursor(QPainter& painter, const Rows& rows) const {
       {x - 6, rows.labels_bottom - 8}, {x + 6, rows.labels_bottom - 8}, {x, rows.labels_bottom + 1}});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_timeline_view.cpp"

@@ -14,7 +14,7 @@
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class RangeState { Unread, InProgress, Read, Held, Failed };
 
@@ -110,4 +110,4 @@ class TimelineView : public QWidget {
   double drag_from_s_ = 0, drag_px_ = 0;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

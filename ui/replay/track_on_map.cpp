@@ -7,7 +7,7 @@
 #include "ui/shell/replay_clock.h"
 #include "ui/view/track_of_bag.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 // For a long bag it takes a moment: the longer, the less often it is repeated while the bag is read.
@@ -48,6 +48,6 @@ void TrackOnMap::show() {
   soon_.setInterval(std::clamp(int(took.elapsed()) * kTimesAsLong, kSoonMs, kAtMostMs));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_track_on_map.cpp"

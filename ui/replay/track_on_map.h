@@ -7,7 +7,7 @@
 #include "geometry/rect.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ReplayClock;
 
@@ -31,4 +31,4 @@ class TrackOnMap : public QObject {
   bool due_ = false;  // hidden meanwhile
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

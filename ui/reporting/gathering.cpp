@@ -17,7 +17,7 @@
 #include "session/session_options.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::reporting {
+namespace mapwright::ui::reporting {
 namespace {
 
 using incident::remainingWay;
@@ -340,6 +340,6 @@ void Gathering::onPicture() {
   end(Stage::Done);
 }
 
-}  // namespace mapwright::reporting
+}  // namespace mapwright::ui::reporting
 
 #include "moc_gathering.cpp"

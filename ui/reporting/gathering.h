@@ -20,7 +20,7 @@
 #include "ui/shot/recall.h"
 #include "work/workers.h"
 
-namespace mapwright::reporting {
+namespace mapwright::ui::reporting {
 
 struct Wanted {
   robot::BagKey bag = {};
@@ -84,4 +84,4 @@ class Gathering : public QObject {
   map::FailureKind failure_ = map::FailureKind::None;
 };
 
-}  // namespace mapwright::reporting
+}  // namespace mapwright::ui::reporting

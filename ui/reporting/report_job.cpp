@@ -10,7 +10,7 @@
 #include "sentences/fault_sentence.h"
 #include "ui/reporting/gathering.h"
 
-namespace mapwright::reporting {
+namespace mapwright::ui::reporting {
 namespace {
 
 using incident::Run;
@@ -85,6 +85,6 @@ void ReportJob::write() {
   Q_EMIT ended();
 }
 
-}  // namespace mapwright::reporting
+}  // namespace mapwright::ui::reporting
 
 #include "moc_report_job.cpp"

@@ -17,7 +17,7 @@
 #include "robot/robot.h"
 #include "work/workers.h"
 
-namespace mapwright::reporting {
+namespace mapwright::ui::reporting {
 
 class Gathering;
 struct Wanted;
@@ -69,4 +69,4 @@ class ReportJob : public QObject {
   map::FailureKind failure_ = map::FailureKind::None;
 };
 
-}  // namespace mapwright::reporting
+}  // namespace mapwright::ui::reporting

@@ -9,7 +9,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -98,6 +98,6 @@ QWidget* CertificateDialog::buildFacts() {
   return box;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_certificate_dialog.cpp"

@@ -7,7 +7,7 @@
 
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Accepted: trust exactly this certificate, for this robot.
 class CertificateDialog : public QDialog {
@@ -24,4 +24,4 @@ class CertificateDialog : public QDialog {
   QPushButton* trust_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -23,7 +23,7 @@
 #include "ui/robot/found_robots.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -382,6 +382,6 @@ void ConnectDialog::setError(const QString& sentence) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_connect_dialog.cpp"

@@ -21,7 +21,7 @@ class QPushButton;
 class QSpinBox;
 class QStackedWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class FoundRobots;
 
@@ -89,4 +89,4 @@ class ConnectDialog : public QDialog {
   QPushButton* connect_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

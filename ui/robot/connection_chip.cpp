@@ -9,7 +9,7 @@
 #include "ui/kit/state_mark.h"
 #include "ui/robot/robot_look.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr int kBeforeTextPx = 30, kAfterTextPx = 28;  // the mark, the arrow
@@ -95,6 +95,6 @@ void ConnectionChip::paintEvent(QPaintEvent*) {
             colors.secondary_text);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_connection_chip.cpp"

@@ -7,7 +7,7 @@
 #include "ui/kit/safety_badge.h"
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ConnectionChip : public QToolButton {
   Q_OBJECT
@@ -38,4 +38,4 @@ class ConnectionChip : public QToolButton {
   QColor color_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -32,7 +32,7 @@
 #include "ui/view/toast_stack.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using robot::ConnectionPhase;
 
@@ -549,6 +549,6 @@ void ConnectionController::refreshNotices() {
   context_.notices.set(NoticeRank::Limits, std::move(limits));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_connection_controller.cpp"

@@ -20,7 +20,7 @@
 
 class QMenu;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ConnectionChip;
 enum class CardOffer;
@@ -116,4 +116,4 @@ class ConnectionController : public Controller {
   bool settings_told_ = false;  // it was reported that they cannot be saved
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

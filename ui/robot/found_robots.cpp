@@ -17,7 +17,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -159,6 +159,6 @@ void FoundRobots::fill() {
   if (!found_.empty()) list_->setCurrentRow(selected);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_found_robots.cpp"

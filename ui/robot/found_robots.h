@@ -16,7 +16,7 @@ class QListWidget;
 class QPlainTextEdit;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class FoundRobots : public QWidget {
   Q_OBJECT
@@ -54,4 +54,4 @@ class FoundRobots : public QWidget {
   std::unique_ptr<jobs::RobotSearch> search_;  // goes first: it tells the others
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -5,7 +5,7 @@
 #include <QPointer>
 #include <QSettings>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -77,6 +77,6 @@ void KeptSecrets::forget(const QString& address, keyring::KeyRing::Reply reply) 
   if (in_ring) ring_->remove(server, guarded(std::move(reply)));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_kept_secrets.cpp"

@@ -13,7 +13,7 @@
 
 class QSettings;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class KeptSecrets : public QObject {
   Q_OBJECT
@@ -45,4 +45,4 @@ class KeptSecrets : public QObject {
   keyring::KeyRing* ring_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

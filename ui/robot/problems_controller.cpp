@@ -13,7 +13,7 @@
 #include "ui/view/toast_stack.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -63,6 +63,6 @@ void ProblemsController::reportFirstError() {
       {tr("Show problems"), [this] { context_.panels.open(dock_); }});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_problems_controller.cpp"

@@ -4,7 +4,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ProblemsDock;
 
@@ -27,4 +27,4 @@ class ProblemsController : public Controller {
   bool told_ = false;  // an error of this session has been reported
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/wrapping_row.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 ProblemsDock::ProblemsDock(QWidget* parent)
     : QDockWidget(tr("Problems"), parent),
@@ -124,6 +124,6 @@ bool ProblemsDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_problems_dock.cpp"

@@ -10,7 +10,7 @@
 class QPushButton;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -41,4 +41,4 @@ class ProblemsDock : public QDockWidget {
   QPushButton *copy_selected_, *copy_all_, *clear_, *retry_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

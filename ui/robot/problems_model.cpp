@@ -15,7 +15,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -172,6 +172,6 @@ QString problemLine(const session::LoggedProblem& problem) {
            words::plainName(sentences::sentenceOf(problem.problem)), timesText(problem));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_problems_model.cpp"

@@ -7,7 +7,7 @@
 
 #include "session/problem_log.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ProblemsModel : public QAbstractTableModel {
   Q_OBJECT
@@ -32,4 +32,4 @@ class ProblemsModel : public QAbstractTableModel {
 /// One problem as a line of plain text for the clipboard.
 QString problemLine(const session::LoggedProblem& problem);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@
 
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -170,4 +170,4 @@ void TrustedCertificates::forget(const QString& host) {
   if (!host.isEmpty()) settings_.remove(keyOf(host));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

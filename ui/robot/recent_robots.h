@@ -13,7 +13,7 @@
 
 class QSettings;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct RecentRobot {
   QString address;  // normalised, never with a secret
@@ -76,4 +76,4 @@ class TrustedCertificates {
   QSettings& settings_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

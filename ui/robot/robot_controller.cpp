@@ -19,7 +19,7 @@
 #include "ui/view/on_screen.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 RobotController::RobotController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new RobotDock(&context.window)) {
@@ -137,6 +137,6 @@ void RobotController::changePlace() {
   context_.scene.setRobotWanted(hidden);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_robot_controller.cpp"

@@ -7,7 +7,7 @@
 #include "ui/kit/safety_badge.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class RobotDock;
 
@@ -20,7 +20,7 @@ class RobotController : public Controller {
   void setSession(session::Session* session) override;
 
  Q_SIGNALS:
-  void safetyChanged(const mapwright::window::SafetyText& text);
+  void safetyChanged(const mapwright::ui::SafetyText& text);
 
  private:
   bool comesFirst(session::Session* session) const;
@@ -36,4 +36,4 @@ class RobotController : public Controller {
   QSet<QString> dismissed_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -20,7 +20,7 @@
 #include "ui/view/replay_state.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -239,6 +239,6 @@ QString RobotDock::shownText() const {
   return lines.join(QLatin1Char('\n'));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_robot_dock.cpp"

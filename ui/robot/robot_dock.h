@@ -14,7 +14,7 @@ class QGridLayout;
 class QLabel;
 class QVBoxLayout;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 class StateLabel;
@@ -63,4 +63,4 @@ class RobotDock : public QDockWidget {
   std::vector<Cells> cells_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -103,6 +103,6 @@ RobotLookDialog::RobotLookDialog(const RobotLook& look, const QString& own_name,
   fields_.name->selectAll();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_robot_look.cpp"

@@ -13,7 +13,7 @@ class QComboBox;
 class QLineEdit;
 class QPainter;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct RobotLook {
   QString called;  // one line; empty = as it calls itself
@@ -53,4 +53,4 @@ class RobotLookDialog : public QDialog {
   LookFields fields_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

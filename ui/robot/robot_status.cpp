@@ -10,7 +10,7 @@
 #include "sentences/state_words.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -271,4 +271,4 @@ std::vector<AlertLine> alertLines(const std::vector<map::Alert>& alerts, const Q
   return lines;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

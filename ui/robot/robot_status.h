@@ -10,7 +10,7 @@
 #include "map/live_state.h"
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct StatusField {
   QString name, value;  // untrusted plain text
@@ -38,4 +38,4 @@ std::vector<StatusSection> topicSections(const map::LiveState& live);
 /// Worst first, then oldest first.
 std::vector<AlertLine> alertLines(const std::vector<map::Alert>& alerts, const QDateTime& now);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

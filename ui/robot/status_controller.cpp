@@ -9,7 +9,7 @@
 #include "ui/view/on_screen.h"
 #include "ui/view/replay_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 StatusController::StatusController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context) {
@@ -40,6 +40,6 @@ void StatusController::refreshTitle() {
   context_.window.setWindowTitle(context_.unsaved.any() ? QStringLiteral("• %1").arg(title) : title);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_status_controller.cpp"

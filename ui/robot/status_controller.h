@@ -4,7 +4,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class StatusController : public Controller {
   Q_OBJECT
@@ -19,4 +19,4 @@ class StatusController : public Controller {
   WindowContext& context_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

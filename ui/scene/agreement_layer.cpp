@@ -13,7 +13,7 @@
 #include "agreement/heat.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 using agreement::kTileCells;
@@ -343,4 +343,4 @@ LayerSpec layerSpec<Layer::Disagreement>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr int kTellEveryMs = 500;
@@ -144,6 +144,6 @@ void AgreementRun::collect() {
   rank();
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene
 
 #include "moc_agreement_run.cpp"

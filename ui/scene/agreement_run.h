@@ -18,7 +18,7 @@
 #include "render/dense_cache.h"
 #include "work/workers.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 class AgreementRun : public QObject {
   Q_OBJECT
@@ -80,4 +80,4 @@ class AgreementRun : public QObject {
   work::Tasks tasks_, rankers_;  // after all that their jobs use
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

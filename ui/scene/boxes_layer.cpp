@@ -7,7 +7,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 using Kind = map::GroundDrawing::Kind;
@@ -300,4 +300,4 @@ LayerSpec layerSpec<Layer::Boxes>() {
           }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

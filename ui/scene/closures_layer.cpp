@@ -5,7 +5,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// How much a closure contradicts the map. Of real maps nearly none lie between 0.2 and 2 m.
@@ -140,4 +140,4 @@ LayerSpec layerSpec<Layer::Closures>() {
           }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -9,7 +9,7 @@
 #include "sentences/absence_sentence.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kPointPx = 2;
@@ -184,4 +184,4 @@ LayerSpec layerSpec<Layer::DispatchedCloud>() {
           .legend = cloudsLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -11,7 +11,7 @@
 #include "ui/scene/layer.h"
 #include "ui/scene/map_theme.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// The meaning of the point colours, if they depend on a value.
 struct CloudScale {
@@ -33,4 +33,4 @@ render::TilePainter sectionPainter(const std::shared_ptr<const clouds::Section>&
                                    const clouds::CloudStore& clouds, const LayerStyle& style,
                                    const MapTheme& theme, double ratio);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -5,7 +5,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// Many short, thin segments.
@@ -103,4 +103,4 @@ LayerSpec layerSpec<Layer::Constraints>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -2,7 +2,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// Doors with their state, as shape and colour.
@@ -105,4 +105,4 @@ LayerSpec layerSpec<Layer::Doors>() {
           }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -12,7 +12,7 @@
 
 #include "ui/scene/label_font.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// Emoji are pictures in their font.
@@ -217,4 +217,4 @@ void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render:
   painter.setTransform(base);
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -16,7 +16,7 @@
 #include "render/raster_tiles.h"
 #include "ui/scene/map_theme.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 QPointF toPoint(const Eigen::Vector2d& v);
 QRectF squareAround(const QPointF& middle, double half);
@@ -51,4 +51,4 @@ void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render:
 /// The stand-ins where nothing finished covers them, and the tiles.
 void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

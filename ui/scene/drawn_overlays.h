@@ -6,7 +6,7 @@
 #include "map/catalogue.h"
 #include "map/overlay.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// The overlays of one map, shown instead of those that came with it.
 struct DrawnOverlays {
@@ -15,4 +15,4 @@ struct DrawnOverlays {
   std::vector<map::OverlayFeature> features;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

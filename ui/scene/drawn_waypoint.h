@@ -11,7 +11,7 @@
 #include "map/catalogue.h"
 #include "map/waypoint.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// The state of a waypoint, shown by shape and colour. Disc, square, framed square, triangle, diamond, cross,
 /// and the frame of a triangle for the other version of one in conflict.
@@ -41,4 +41,4 @@ struct DrawnWaypoints {
 void paintWaypointMark(QPainter& painter, const QPointF& at, double radius, WaypointMark mark,
                        const QColor& fill, const QColor& edge);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

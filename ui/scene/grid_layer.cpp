@@ -6,7 +6,7 @@
 #include "ui/scene/legend.h"
 #include "ui/scene/lengths.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kMinorSpacingPx = 30;
@@ -148,4 +148,4 @@ LayerSpec layerSpec<Layer::Grid>() {
           .legend = gridLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -8,7 +8,7 @@
 
 #include "ui/scene/layer_item.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 GroundItem::GroundItem(const LayerContext& context) : context_(context) {
   setFlag(ItemUsesExtendedStyleOption);
@@ -85,4 +85,4 @@ void GroundItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   painter->restore();
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -12,7 +12,7 @@
 
 #include "geometry/view_transform.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 class LayerItem;
 struct LayerContext;
@@ -41,4 +41,4 @@ class GroundItem : public QGraphicsItem {
   std::optional<QRegion> outdated_;  // of the picture; nullopt: there is none
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -1,8 +1,8 @@
 // The font of labels, which the program brings along.
 #pragma once
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 inline constexpr char kLabelFontFile[] = ":/fonts/DejaVuSans.ttf";  // a resource of app
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -6,7 +6,7 @@
 
 #include "ui/scene/drawing.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr int kMostSizes = 20'000;
@@ -57,4 +57,4 @@ void LabelInk::draw(QPainter& painter, const QPointF& top_left, const QString& t
   painter.drawImage(QPointF(std::round(at.x()), std::round(at.y())) / ratio, *image);
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

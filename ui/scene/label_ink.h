@@ -12,7 +12,7 @@
 
 #include "ui/scene/map_theme.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Bounded: what has not been drawn for long is made again.
 class LabelInk {
@@ -41,4 +41,4 @@ class LabelInk {
   int sizes_of_px_ = 0;  // the size of their font
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

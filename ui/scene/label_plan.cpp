@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kGapPx = 3;               // between a mark and its label
@@ -258,4 +258,4 @@ LabelPlan placeLabels(const LabelTask& task, const LabelMemory& before) {
   return Placing(task, before).made();
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -11,7 +11,7 @@
 #include <QRectF>
 #include <QSizeF>
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Who is placed first.
 enum class LabelRank { Chosen, Robot, Waypoint, Door, Region, Landmark, Thing, Id };
@@ -71,4 +71,4 @@ bool isFinite(const QRectF& rect);
 /// plan.
 LabelPlan placeLabels(const LabelTask& task, const LabelMemory& before = {});
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

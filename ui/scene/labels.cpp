@@ -8,7 +8,7 @@
 
 #include "ui/scene/layer_item.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 LabelCollector::LabelCollector(LabelInk& ink, const MapTheme& theme, const geometry::ViewTransform& view,
                                std::uint64_t owner)
@@ -180,4 +180,4 @@ void LabelsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   painter->setOpacity(opacity);
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

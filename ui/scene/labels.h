@@ -17,7 +17,7 @@
 #include "ui/scene/label_plan.h"
 #include "ui/scene/map_theme.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 class LayerItem;
 struct LayerContext;
@@ -126,4 +126,4 @@ class LabelsItem : public QGraphicsItem {
   bool over_;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -5,7 +5,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 const std::vector<map::Landmark>& landmarksOf(const LayerContext& context, FeaturesOf of) {
@@ -106,4 +106,4 @@ LayerSpec layerSpec<Layer::Landmarks>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -10,7 +10,7 @@
 #include "sentences/absence_sentence.h"
 #include "ui/scene/layer_reason.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 const LayerSpec& specOf(Layer layer) {
 #define MAPWRIGHT_LAYER(name) layerSpec<Layer::name>(),
@@ -126,4 +126,4 @@ QString whyEmpty(Layer layer, robot::Robot& robot) {
   return has ? QString() : QCoreApplication::translate("scene", "There is nothing of the kind in this file.");
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -19,7 +19,7 @@ namespace mapwright::robot {
 class Robot;
 }
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Everything that can be shown, in the default order, bottom first. A new layer is a row here, and a file
 /// that defines its layerSpec(): docs/how-to/add-a-layer.md.
@@ -187,4 +187,4 @@ struct Halves {
   HalfContent left = HalfContent::WholeMap, right = HalfContent::Nothing;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -8,7 +8,7 @@
 
 #include "words/qt_plain.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kPlacePx = 5, kHeadingPx = 13;
@@ -185,4 +185,4 @@ void DeviceLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* optio
   painter->restore();
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -35,7 +35,7 @@
 #include "ui/scene/problem_marks.h"
 #include "ui/scene/track.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Draws many thin lines quickly, on a transparent sheet of the viewport's size. Lines drawn directly onto a
 /// view go through the rasteriser one by one (0.2 ms and a round of thread hand-overs each, measured with
@@ -293,4 +293,4 @@ inline geometry::WorldRect boundsOf(const Outlines& outlines) {
   return bounds;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -10,7 +10,7 @@
 #include "ui/scene/scene_items.h"
 #include "words/fixed.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 QString metres(double value) { return QStringLiteral("%1 m").arg(words::fixed(value, 2)); }
 
@@ -281,4 +281,4 @@ double MapObject::areaM2() const {
   return area;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -17,7 +17,7 @@ namespace mapwright::session {
 class Session;
 }
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Lines, or the rings of an area; a point has one part of one position. World metres.
 using ObjectParts = std::span<const std::span<const Eigen::Vector2d>>;
@@ -91,4 +91,4 @@ struct ObjectFit {
 std::optional<ObjectFit> fitOf(ObjectForm form, ObjectParts parts, const Eigen::Vector2d& world_m,
                                double reach_m);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -5,9 +5,9 @@
 
 #include "ui/scene/layer.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// A sentence; empty: it may have something.
 QString whyEmpty(Layer layer, robot::Robot& robot);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

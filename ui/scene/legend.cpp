@@ -14,7 +14,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/scene/scene_items.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// Of the reference map and the map on screen.
@@ -193,4 +193,4 @@ std::vector<LegendSection> MapScene::legend(qreal pixel_ratio) const {
   return sections;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

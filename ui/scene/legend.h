@@ -17,7 +17,7 @@
 #include "ui/scene/layer_item.h"
 #include "ui/scene/legend_section.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// What a layer paints for its symbol: made-up data, in a view without rotation whose middle is (0, 0).
 struct LegendSample {
@@ -94,4 +94,4 @@ void addCells(Legend& legend, const render::MapColors& colors);
 /// A colour of a palette, which is premultiplied.
 QColor cellColor(std::uint32_t premultiplied);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

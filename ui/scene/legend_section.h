@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QString>
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 struct LegendRow {
   QString text;       // empty for a scale that needs no more than its ends
@@ -21,4 +21,4 @@ struct LegendSection {
   bool operator==(const LegendSection&) const = default;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -5,7 +5,7 @@
 
 #include "geometry/view_transform.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// The spacing of the metric grid.
 struct GridSteps {
@@ -21,4 +21,4 @@ QString lengthText(double metres);
 /// "3.5 m²", "1.2 km²".
 QString areaText(double m2);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -9,7 +9,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kLidarPointPx = 2;
@@ -237,4 +237,4 @@ LayerSpec layerSpec<Layer::Cloud>() {
           .legend = lidarLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -5,7 +5,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// The local path as a band of the robot's width.
@@ -81,4 +81,4 @@ LayerSpec layerSpec<Layer::LocalPath>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -13,7 +13,7 @@
 #include "map/live_topics.h"
 #include "ui/scene/layer.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Whose features: those of a map that is opened, or of the robot's present one.
 enum class FeaturesOf { WholeMap, ComparedMap, Robot };
@@ -62,4 +62,4 @@ struct MapObject {
   double areaM2() const;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

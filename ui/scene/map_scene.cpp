@@ -14,7 +14,7 @@
 #include "ui/scene/scene_items.h"
 #include "ui/scene/submap_classes.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 std::uint16_t pixelFlags(const submap::SubmapStore& submaps, const map::SubmapEntry& entry) {
@@ -860,6 +860,6 @@ void MapScene::setPoseBetween(const std::optional<geometry::Pose2>& pose) {
 
 std::optional<geometry::Pose2> MapScene::robotPose() const { return items_->context.robotPose(); }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene
 
 #include "moc_map_scene.cpp"

@@ -45,7 +45,7 @@ namespace mapwright::regions {
 class RegionMap;
 }
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 class SceneItems;
 
@@ -267,4 +267,4 @@ class MapScene : public QGraphicsScene {
   double began_ms_ = 0;  // of the painting in progress
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -1,6 +1,6 @@
 #include "ui/scene/map_theme.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// 0xAARRGGBB. What can be on screen together is told apart on every ground, also by colour-blind people: the
@@ -44,4 +44,4 @@ MapTheme lightMapTheme() { return themeOf(false); }
 
 MapTheme darkMapTheme() { return themeOf(true); }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -6,7 +6,7 @@
 
 #include "render/tile_renderer.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 struct MapTheme {
   render::MapColors map;
@@ -22,4 +22,4 @@ struct MapTheme {
 MapTheme lightMapTheme();
 MapTheme darkMapTheme();
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

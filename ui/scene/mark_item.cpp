@@ -8,7 +8,7 @@
 #include "ui/scene/layer_item.h"
 #include "ui/scene/layer_objects.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kRingPx = 13, kCrossPx = 14;
@@ -145,4 +145,4 @@ void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   }
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

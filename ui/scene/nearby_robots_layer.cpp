@@ -4,7 +4,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// Other robots, with their footprints and where they are headed.
@@ -114,4 +114,4 @@ LayerSpec layerSpec<Layer::NearbyRobots>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

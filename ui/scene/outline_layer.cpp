@@ -8,7 +8,7 @@
 
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 class OutlinesLayer : public LayerItem {
@@ -177,4 +177,4 @@ LayerSpec layerSpec<Layer::Ids>() {
           .legend = idsLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -9,7 +9,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 QColor regionColor(const MapTheme& theme, int type) {
@@ -262,4 +262,4 @@ LayerSpec layerSpec<Layer::Overlays>() {
           .legend = overlaysLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

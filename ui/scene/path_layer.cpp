@@ -3,7 +3,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kPathPx = 3;
@@ -53,4 +53,4 @@ LayerSpec layerSpec<Layer::Path>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -7,7 +7,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 namespace bg = boost::geometry;
@@ -85,4 +85,4 @@ bool SubmapMarks::any(const geometry::WorldRect& area) const {
   return index_->tree.qbegin(bg::index::intersects(boxOf(area))) != index_->tree.qend();
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -15,7 +15,7 @@
 #include "map/grid_reference.h"
 #include "map/submap.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 enum class MarkKind { Missing, Failed, Corrupt, NoSlice, Unreadable };
 
@@ -69,4 +69,4 @@ class SubmapMarks {
   std::unique_ptr<Index> index_;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

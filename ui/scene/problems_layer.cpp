@@ -9,7 +9,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kBadgePx = 7.5;         // radius of the disc with the sign
@@ -305,4 +305,4 @@ LayerSpec layerSpec<Layer::Problems>() {
           }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -7,7 +7,7 @@
 #include "render/grid_palettes.h"
 #include "session/layer_grids.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// Like a whole map, but unknown cells are opaque: they must differ from what was not fetched.
@@ -251,6 +251,6 @@ bool RasterStack::read() const {
   return !(compared_->isVisible() || difference_->isVisible()) || session_->comparedMap().settled();
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene
 
 #include "moc_raster_stack.cpp"

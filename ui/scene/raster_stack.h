@@ -17,7 +17,7 @@ namespace mapwright::session {
 struct LayerGrid;
 }
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// A picture of cells: a whole map, a costmap, a difference.
 class RasterLayer : public DeviceLayer {
@@ -106,4 +106,4 @@ class RasterStack : public QObject {
   std::shared_ptr<const grids::GridPyramid> edited_;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -9,7 +9,7 @@
 #include "sentences/absence_sentence.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 using regions::RegionState;
@@ -208,4 +208,4 @@ LayerSpec layerSpec<Layer::Regions>() {
       .legend = regionsLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

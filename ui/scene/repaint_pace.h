@@ -1,7 +1,7 @@
 // How often to repaint the map while its content is still arriving.
 #pragma once
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Painting and decoding compete for the processors: repainting for every new submap would delay the complete
 /// picture. Does not affect manual moves of the view. A value; times in milliseconds of any monotonic clock.
@@ -26,4 +26,4 @@ class RepaintPace {
   double cost_ms_ = 0, ended_ms_ = 0;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

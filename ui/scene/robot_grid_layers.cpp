@@ -10,7 +10,7 @@
 #include "ui/scene/legend.h"
 #include "ui/scene/raster_stack.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 using map::GridKind;
@@ -120,4 +120,4 @@ LayerSpec layerSpec<Layer::CostmapHigh>() {
       "costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, local or fine"), map::Stream::CostmapHigh, {});
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

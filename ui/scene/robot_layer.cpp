@@ -10,7 +10,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kMarkPx = 11;  // half the length of the mark
@@ -265,4 +265,4 @@ LayerSpec layerSpec<Layer::Robot>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -6,7 +6,7 @@
 #include "session/makes_new_map.h"
 #include "session/session.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 using map::Whereabouts;
@@ -55,4 +55,4 @@ RobotPlace robotPlace(session::Session& session, const MapsOnScreen& on_screen, 
   return place;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

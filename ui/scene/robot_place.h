@@ -10,7 +10,7 @@ namespace mapwright::session {
 class Session;
 }
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 enum class ScreenPart { All, Left, Right, None };
 
@@ -35,4 +35,4 @@ struct MapsOnScreen {
 /// `choice`: draw it or not in any case; nullopt = automatic.
 RobotPlace robotPlace(session::Session& session, const MapsOnScreen& on_screen, std::optional<bool> choice);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -7,7 +7,7 @@
 #include "ui/scene/layer_item.h"
 #include "ui/scene/lengths.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// The scale bar, bottom left.
@@ -84,4 +84,4 @@ LayerSpec layerSpec<Layer::ScaleBar>() {
           .items = oneItem<ScaleBarLayer>};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

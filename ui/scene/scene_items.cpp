@@ -16,7 +16,7 @@
 #include "session/lacks_picture.h"
 #include "ui/scene/lengths.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// A veil over everything that is no longer live.
@@ -459,4 +459,4 @@ void SceneItems::setFeatures(const session::Session* session) {
   updateOverlays(session);
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -16,7 +16,7 @@
 
 class QGraphicsScene;
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 class SceneItems {
  public:
@@ -92,4 +92,4 @@ class SceneItems {
   std::optional<QRectF> rectOf(ScreenPart part) const;
 };
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -7,7 +7,7 @@
 
 #include "map/submap_version.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 using render::kClasses;
 
@@ -53,4 +53,4 @@ std::set<std::int32_t> trajectoriesOf(const submap::SubmapStore& submaps) {
   return found;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -13,7 +13,7 @@
 #include "render/pixel_flags.h"
 #include "submap/submap_store.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 /// Versions below this are in class 0; each further class reaches twice as far.
 inline constexpr int kFirstVersionStep = 5;
@@ -33,4 +33,4 @@ std::int32_t newestIndex(const submap::SubmapStore& submaps, std::int32_t trajec
 /// The trajectories of all listed submaps.
 std::set<std::int32_t> trajectoriesOf(const submap::SubmapStore& submaps);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

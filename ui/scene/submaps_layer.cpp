@@ -12,7 +12,7 @@
 #include "ui/scene/legend.h"
 #include "ui/scene/submap_classes.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr int kMapTileEdge = 256;  // of the renderer's tiles
@@ -166,4 +166,4 @@ LayerSpec layerSpec<Layer::Submaps>() {
           .legend = submapsLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -4,7 +4,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 /// The robot's goal.
@@ -120,4 +120,4 @@ LayerSpec layerSpec<Layer::Target>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -8,7 +8,7 @@
 
 #include "ui/scene/layer.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 struct TrackSample {
   Eigen::Vector2d position_m{0, 0};  // world
@@ -39,4 +39,4 @@ int colorIndexOf(const TrackSample& sample, const TrackScale& scale);
 /// By index, distinguishable for colour-blind people as well.
 std::vector<QColor> trackColors(TrackChoice choice);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

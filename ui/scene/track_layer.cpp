@@ -10,7 +10,7 @@
 #include "ui/scene/lengths.h"
 #include "ui/scene/track.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 class TrackLayerText {
@@ -308,4 +308,4 @@ LayerSpec layerSpec<Layer::Track>() {
           .legend = trackLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -3,7 +3,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kTrajectoryPx = 2;
@@ -76,4 +76,4 @@ LayerSpec layerSpec<Layer::Trajectory>() {
               }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

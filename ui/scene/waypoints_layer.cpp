@@ -9,7 +9,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kRadiusPx = 5;
@@ -321,4 +321,4 @@ LayerSpec layerSpec<Layer::Waypoints>() {
           .legend = waypointsLegend};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

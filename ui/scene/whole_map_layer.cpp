@@ -3,7 +3,7 @@
 #include "sentences/absence_sentence.h"
 #include "ui/scene/legend.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 
 template <>
 LayerSpec layerSpec<Layer::Reference>() {
@@ -40,4 +40,4 @@ LayerSpec layerSpec<Layer::WholeMap>() {
           .legend = [](Legend& legend) { addCells(legend, legend.theme().map); }};
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::ui::scene

@@ -12,7 +12,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/view/on_screen.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -113,6 +113,6 @@ std::function<bool()> lacksForGood(CurrentSession& current, std::vector<robot::C
   };
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_current_session.cpp"

@@ -11,11 +11,11 @@
 #include "robot/address.h"
 #include "session/session.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class MapScene;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class CurrentSession : public QObject {
   Q_OBJECT
@@ -60,4 +60,4 @@ class CurrentSession : public QObject {
 /// For PanelPosition::idle: what is open has none of these, and nothing may still bring them.
 std::function<bool()> lacksForGood(CurrentSession& current, std::vector<robot::Capability> capabilities);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -11,7 +11,7 @@
 #include "ui/shell/notices.h"
 #include "ui/view/map_overlay.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 EditorController::EditorController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context) {}
@@ -165,6 +165,6 @@ QString EditorController::nameOf(const map::MapKey& map) const {
   return mapCalled(entry ? QString::fromStdString(entry->name) : QString(), map);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_editor_controller.cpp"

@@ -19,7 +19,7 @@
 
 class QDockWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class EditorController : public Controller {
   Q_OBJECT
@@ -110,4 +110,4 @@ class EditorController : public Controller {
   std::optional<map::MapKey> left_map_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

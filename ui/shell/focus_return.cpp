@@ -2,7 +2,7 @@
 
 #include <QApplication>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 bool canHaveFocus(const QWidget* widget) { return widget && widget->isVisible() && widget->isEnabled(); }
@@ -28,6 +28,6 @@ void FocusReturn::onFocusChanged(QWidget* now) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_focus_return.cpp"

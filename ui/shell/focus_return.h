@@ -6,7 +6,7 @@
 #include <QPointer>
 #include <QWidget>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class FocusReturn : public QObject {
   Q_OBJECT
@@ -24,4 +24,4 @@ class FocusReturn : public QObject {
   bool some_had_it_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -8,7 +8,7 @@
 #include "render/sample_grid.h"
 #include "robot/robot.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct LaidMap {
   render::PlacedGrid map;         // in its own coordinates
@@ -20,4 +20,4 @@ struct LaidMap {
   }
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -2,7 +2,7 @@
 
 #include "ui/view/notice_bar.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 Notices::Notices(NoticeBar* bar, QObject* parent) : QObject(parent), bar_(bar) {
   connect(bar_, &NoticeBar::offerTaken, this, [this] {
@@ -36,6 +36,6 @@ void Notices::show() {
   bar_->setNotice(notice->mark, notice->sentence, notice->offer, notice->closable);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_notices.cpp"

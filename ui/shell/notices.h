@@ -10,7 +10,7 @@
 
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class NoticeBar;
 
@@ -42,4 +42,4 @@ class Notices : public QObject {
   QSet<QString> dismissed_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -5,7 +5,7 @@
 
 #include "replay/world_at.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using replay::Knowledge;
 using replay::Millis;
@@ -243,6 +243,6 @@ bool ReplayClock::goToFirstMap() {
   return first_s.has_value();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_replay_clock.cpp"

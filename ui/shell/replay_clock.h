@@ -16,7 +16,7 @@
 #include "replay/replay_robot.h"
 #include "session/session.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ReplayClock : public QObject {
   Q_OBJECT
@@ -105,4 +105,4 @@ class ReplayClock : public QObject {
   State told_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

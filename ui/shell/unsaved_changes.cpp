@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QStringList>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -102,6 +102,6 @@ void UnsavedChanges::saveFrom(std::size_t at) {
   if (const auto next = std::exchange(then_, nullptr)) next();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_unsaved_changes.cpp"

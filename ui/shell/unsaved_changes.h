@@ -10,7 +10,7 @@
 
 #include "ui/kit/controller.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class UnsavedChanges : public QObject {
   Q_OBJECT
@@ -52,4 +52,4 @@ class UnsavedChanges : public QObject {
   std::uint64_t asked_ = 0;  // counts the questions: saves for an older one are ignored
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

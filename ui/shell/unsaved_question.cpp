@@ -6,7 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 struct UnsavedQuestionText {
@@ -47,4 +47,4 @@ QString draftTimeText(const QDateTime& made, const QDateTime& now) {
              : c.toString(made, QStringLiteral("d MMMM yyyy HH:mm"));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@ class QMessageBox;
 class QObject;
 class QWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class Leaving { Save, Keep, Discard, Stay };
 
@@ -22,4 +22,4 @@ QMessageBox* askToLeave(QObject* asker, QWidget* window, const QString& title, c
 /// "today 19:20:05", "3 May 2026 19:20".
 QString draftTimeText(const QDateTime& made, const QDateTime& now);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

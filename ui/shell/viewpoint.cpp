@@ -4,7 +4,7 @@
 
 #include "ui/view/map_view.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr double kClosestFitMPerPx = 0.01;
@@ -34,6 +34,6 @@ void Viewpoint::lookAt(const geometry::WorldRect& world) {
   view_.moveTo(to, true);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_viewpoint.cpp"

@@ -5,7 +5,7 @@
 
 #include "geometry/rect.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MapView;
 
@@ -34,4 +34,4 @@ class Viewpoint : public QObject {
   bool chosen_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

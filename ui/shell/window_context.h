@@ -12,11 +12,11 @@
 namespace mapwright::edit {
 struct EditOptions;
 }
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class MapScene;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 class CurrentSession;
@@ -55,4 +55,4 @@ struct WindowContext {
   std::shared_ptr<work::Workers> workers;  // what takes long is not done on the GUI thread
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/view/replay_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -268,6 +268,6 @@ QString WindowStatusBar::occupancyShown() const { return occupancy_->text(); }
 QString WindowStatusBar::scaleShown() const { return scale_->text(); }
 QString WindowStatusBar::rotationShown() const { return rotation_->text(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_window_status_bar.cpp"

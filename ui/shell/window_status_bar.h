@@ -11,7 +11,7 @@
 
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -99,4 +99,4 @@ class WindowStatusBar : public QStatusBar {
   PlainLabel *coordinates_, *occupancy_, *scale_, *rotation_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

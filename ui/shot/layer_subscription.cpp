@@ -6,7 +6,7 @@
 #include "robot/offers_topics.h"
 #include "session/layer_grids.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 using scene::Layer;
 
@@ -116,6 +116,6 @@ QStringList LayerSubscription::silent() const {
   return silent;
 }
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot
 
 #include "moc_layer_subscription.cpp"

@@ -13,7 +13,7 @@
 #include "session/session.h"
 #include "ui/scene/layer.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 class LayerSubscription : public QObject {
   Q_OBJECT
@@ -49,4 +49,4 @@ class LayerSubscription : public QObject {
   std::map<map::GridKind, map::Stream> pictures_;  // streams that are pictures
 };
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

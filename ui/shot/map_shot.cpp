@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 namespace {
 
 // If the robot is gone, waiting ends when this much time is left, since drawing takes some, too.
@@ -58,4 +58,4 @@ std::optional<double> MapShot::untilLimit(double now_s) const {
   return next;
 }
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

@@ -15,7 +15,7 @@
 #include <set>
 #include <vector>
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 /// In this order; Failed follows any of them but Done.
 enum class Stage {
@@ -124,4 +124,4 @@ class MapShot {
   std::set<Lack> lacks_;
 };
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

@@ -15,7 +15,7 @@
 #include "ui/scene/agreement_run.h"
 #include "work/budgets.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 namespace {
 
 /// Of whole maps and costmaps.
@@ -242,6 +242,6 @@ std::unique_ptr<Picture> makeRawPicture(RawContent content, std::shared_ptr<work
   return std::make_unique<RawPicture>(std::move(content), std::move(workers));
 }
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot
 
 #include "moc_picture.cpp"

@@ -21,11 +21,11 @@
 #include "ui/scene/track.h"
 #include "work/workers.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class AgreementRun;
 }
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 class Picture : public QObject {
   Q_OBJECT
@@ -96,4 +96,4 @@ RawContent rawContent(const session::Session& session, const geometry::ViewTrans
 /// whole maps keep their gray levels, even those that mean "unknown".
 std::unique_ptr<Picture> makeRawPicture(RawContent content, std::shared_ptr<work::Workers> workers);
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

@@ -1,6 +1,6 @@
 #include "ui/shot/recall.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 Recall::Recall(session::Session& session, replay::ReplayRobot& robot) : robot_(robot) {
   connect(&robot, &replay::ReplayRobot::jumped, this,
@@ -22,4 +22,4 @@ std::optional<map::Failure> Recall::failure() const {
   return final ? std::optional(obstacle->failure) : std::nullopt;
 }
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

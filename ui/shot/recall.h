@@ -9,7 +9,7 @@
 #include "replay/replay_robot.h"
 #include "session/session.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 class Recall : public QObject {
  public:
@@ -29,4 +29,4 @@ class Recall : public QObject {
   bool in_ = false;
 };
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

@@ -7,7 +7,7 @@
 #include "submap/submap_store.h"
 #include "ui/scene/layer.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 namespace {
 
 /// Larger ones take more than a moment.
@@ -90,4 +90,4 @@ suite::Facts factsOf(const Look& look, const session::Session& session) {
   return facts;
 }
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

@@ -5,9 +5,9 @@
 #include "suite/facts.h"
 #include "ui/shot/picture.h"
 
-namespace mapwright::shot {
+namespace mapwright::ui::shot {
 
 /// Of what `look` shows of `session` at present.
 suite::Facts factsOf(const Look& look, const session::Session& session);
 
-}  // namespace mapwright::shot
+}  // namespace mapwright::ui::shot

@@ -14,7 +14,7 @@
 #include "ui/slam/closures_dock.h"
 #include "ui/view/map_view.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 // Of what is seen around both places: in proportion to their distance, but never so little that nothing of
@@ -219,6 +219,6 @@ bool ClosuresController::escape() {
   return true;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_closures_controller.cpp"

@@ -9,7 +9,7 @@
 #include "ui/scene/map_object.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ClosuresDock;
 struct ClosureRow;
@@ -48,4 +48,4 @@ class ClosuresController : public Controller {
   bool marked_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

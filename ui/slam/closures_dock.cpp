@@ -20,7 +20,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 enum KindChoice { LoopClosures, WithinSubmaps, AllConstraints };
@@ -252,6 +252,6 @@ bool ClosuresDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_closures_dock.cpp"

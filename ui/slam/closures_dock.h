@@ -16,7 +16,7 @@ class QMenu;
 class QPushButton;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class DecimalBox;
 class NameColumn;
@@ -46,11 +46,11 @@ class ClosuresDock : public QDockWidget {
   void point(const ClosureRow& closure);
 
  Q_SIGNALS:
-  void chosen(const mapwright::window::ClosureRow& row);  // by a click, Enter or the arrow keys
+  void chosen(const mapwright::ui::ClosureRow& row);  // by a click, Enter or the arrow keys
   void onMapWanted(bool shown);
   void filtered();
   /// The menu of a row is about to open: others may add entries. A row of a submap has no node.
-  void menuOpening(QMenu* menu, const mapwright::window::ClosureRow& row);
+  void menuOpening(QMenu* menu, const mapwright::ui::ClosureRow& row);
   void shown();
 
  protected:
@@ -77,4 +77,4 @@ class ClosuresDock : public QDockWidget {
   NameColumn* columns_ = nullptr;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@
 
 #include "geometry/pose.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 QString nameOf(const std::optional<map::SubmapId>& id) {
@@ -193,6 +193,6 @@ QVariant ClosuresModel::headerData(int section, Qt::Orientation orientation, int
   return {};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_closures_model.cpp"

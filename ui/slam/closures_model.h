@@ -9,7 +9,7 @@
 
 #include "map/closures.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// From here on a constraint contradicts the map, as the layer colours it.
 inline constexpr double kContradictsMapM = 0.5;
@@ -84,4 +84,4 @@ class ClosuresModel : public QAbstractTableModel {
   Qt::SortOrder sort_order_ = Qt::AscendingOrder;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

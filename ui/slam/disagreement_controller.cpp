@@ -23,7 +23,7 @@
 #include "ui/view/map_view.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using scene::Layer;
@@ -387,6 +387,6 @@ void DisagreementController::showHidden() {
   if (!ids.empty()) session_->setVisible(ids, true);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_disagreement_controller.cpp"

@@ -19,11 +19,11 @@
 namespace mapwright::agreement {
 struct Place;
 }
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class AgreementRun;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class DisagreementDock;
 class PlaceSquare;
@@ -86,4 +86,4 @@ class DisagreementController : public Controller {
   std::set<map::SubmapId> highlighted_;      // by this
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -25,7 +25,7 @@
 #include "ui/kit/wrapping_row.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr std::array kTolerances{0, 1, 4};
@@ -266,6 +266,6 @@ bool DisagreementDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_disagreement_dock.cpp"

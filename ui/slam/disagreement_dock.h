@@ -18,7 +18,7 @@ class QProgressBar;
 class QPushButton;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -103,4 +103,4 @@ class DisagreementDock : public QDockWidget {
   QPushButton *blink_, *next_, *all_, *hide_, *show_hidden_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -20,7 +20,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 InspectorController::InspectorController(WindowContext& context, QAction* show_ids, QAction* show_outlines,
                                          QObject* parent)
@@ -127,6 +127,6 @@ void InspectorController::goToFilter() {
   dock_->filterEdit()->selectAll();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_inspector_controller.cpp"

@@ -6,7 +6,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class InspectorDock;
 
@@ -39,4 +39,4 @@ class InspectorController : public Controller {
   bool behind_ = false;  // the previous robot had no submaps
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

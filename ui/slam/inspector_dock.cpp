@@ -37,7 +37,7 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr int kLowPx = 460;
@@ -591,6 +591,6 @@ void InspectorDock::refreshDetails() {
   if (const QString plain = words::plainText(text); plain != details_->text()) details_->setText(plain);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_inspector_dock.cpp"

@@ -21,7 +21,7 @@ class QSpinBox;
 class QToolButton;
 class QTreeView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -109,4 +109,4 @@ QString slamStateText(const session::Session& session);
 /// Details of one submap in two or three lines. Plain text.
 QString submapDetails(const session::Session& session, map::SubmapId id);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

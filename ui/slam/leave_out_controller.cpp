@@ -29,7 +29,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/slam/closures_model.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 const QString kSuffix = QStringLiteral(".pbstream");
@@ -283,6 +283,6 @@ void LeaveOutController::ask(const std::vector<LeaveOutChoice>& choices) {
   dialog_->open();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_leave_out_controller.cpp"

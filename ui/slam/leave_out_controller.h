@@ -17,7 +17,7 @@ class QMenu;
 class QProgressBar;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 struct ClosureRow;
 
@@ -92,4 +92,4 @@ class LeaveOutController : public Controller {
   QPointer<LeaveOutDialog> dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

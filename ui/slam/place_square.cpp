@@ -6,7 +6,7 @@
 
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kLinePx = 2, kHaloPx = 5;
@@ -52,4 +52,4 @@ void PlaceSquare::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   painter->drawPolygon(polygon_);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

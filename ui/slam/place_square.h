@@ -5,11 +5,11 @@
 
 #include "geometry/rect.h"
 
-namespace mapwright::scene {
+namespace mapwright::ui::scene {
 class MapScene;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlaceSquare : public QGraphicsItem {
  public:
@@ -34,4 +34,4 @@ class PlaceSquare : public QGraphicsItem {
   QPolygonF polygon_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

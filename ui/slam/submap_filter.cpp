@@ -8,7 +8,7 @@
 
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -57,4 +57,4 @@ bool SubmapFilter::matches(const SubmapFacts& facts) const {
                      [&facts](const QString& w) { return wordMatches(w, facts); });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

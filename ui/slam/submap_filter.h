@@ -8,7 +8,7 @@
 #include "map/submap.h"
 #include "session/session.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Everything that a row of the inspector shows about one submap.
 struct SubmapFacts {
@@ -42,4 +42,4 @@ class SubmapFilter {
   std::vector<QString> words_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/slam/submap_tree_model.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -207,6 +207,6 @@ void SubmapRowDelegate::paintTotal(QPainter* painter, const QStyleOptionViewItem
                     index.data(SubmapTreeModel::TotalRole).toString());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_submap_row_delegate.cpp"

@@ -6,7 +6,7 @@
 
 class QTreeView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class SubmapTreeModel;
 
@@ -46,4 +46,4 @@ class SubmapRowDelegate : public QStyledItemDelegate {
   void paintTotal(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

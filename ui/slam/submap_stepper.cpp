@@ -4,7 +4,7 @@
 
 #include "submap/submap_store.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 void SubmapStepper::setSession(session::Session* session) {
   giveBack();
@@ -48,4 +48,4 @@ void SubmapStepper::setVisible(const std::map<map::SubmapId, bool>& visible) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

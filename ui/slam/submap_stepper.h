@@ -10,7 +10,7 @@
 #include "map/submap.h"
 #include "session/session.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class SubmapStepper {
  public:
@@ -36,4 +36,4 @@ class SubmapStepper {
   std::map<map::SubmapId, Held> held_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

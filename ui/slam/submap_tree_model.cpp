@@ -12,7 +12,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -486,6 +486,6 @@ bool SubmapFilterModel::filterAcceptsRow(int source_row, const QModelIndex& sour
   return facts && filter_.matches(*facts);  // groups are only kept for their content
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_submap_tree_model.cpp"

@@ -13,7 +13,7 @@
 #include "session/session.h"
 #include "ui/slam/submap_filter.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class SubmapTreeModel : public QAbstractItemModel {
   Q_OBJECT
@@ -113,4 +113,4 @@ class SubmapFilterModel : public QSortFilterProxyModel {
   SubmapFilter filter_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -1,6 +1,6 @@
 #include "ui/slam/work_pace.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 void WorkPace::update(Ms now, bool busy, bool current) {
   now_ = now;
@@ -23,4 +23,4 @@ std::optional<WorkPace::Ms> WorkPace::changesIn() const {
   return std::nullopt;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

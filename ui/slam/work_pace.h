@@ -5,7 +5,7 @@
 #include <chrono>
 #include <optional>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WorkPace {
  public:
@@ -27,4 +27,4 @@ class WorkPace {
   bool first_ = true;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

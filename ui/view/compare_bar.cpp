@@ -18,7 +18,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/view/on_screen.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -199,6 +199,6 @@ void CompareBar::keyPressEvent(QKeyEvent* event) {
   QFrame::keyPressEvent(event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_compare_bar.cpp"

@@ -11,7 +11,7 @@
 class QComboBox;
 class QToolButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -44,8 +44,8 @@ class CompareBar : public QFrame {
   bool legendShown() const { return !legend_->isHidden(); }
 
  Q_SIGNALS:
-  void secondWanted(const mapwright::window::SecondMap& second);
-  void modeWanted(mapwright::scene::CompareMode mode);
+  void secondWanted(const mapwright::ui::SecondMap& second);
+  void modeWanted(mapwright::ui::scene::CompareMode mode);
   void closed();
 
  protected:
@@ -62,4 +62,4 @@ class CompareBar : public QFrame {
   QWidget* legend_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 
 #include "geometry/pose.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 DragTool::DragTool(const scene::MapScene* scene, QObject* parent) : MapTool(parent), scene_(scene) {}
 
@@ -148,6 +148,6 @@ Eigen::Vector2d arrowStep(const geometry::ViewTransform& view, int key) {
                                                     : Eigen::Vector2d(0, std::copysign(1.0, world.y()));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_drag_tool.cpp"

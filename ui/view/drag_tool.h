@@ -9,7 +9,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class DragTool : public MapTool {
   Q_OBJECT
@@ -107,4 +107,4 @@ double turnAround(const Eigen::Vector2d& pivot_m, const Eigen::Vector2d& from_m,
 /// One metre along the axis of the map that is closest to the direction of an arrow key.
 Eigen::Vector2d arrowStep(const geometry::ViewTransform& view, int key);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -21,7 +21,7 @@
 #include "ui/kit/ui_colors.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using robot::ConnectionPhase;
 
@@ -338,6 +338,6 @@ void EmptyStateCard::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_empty_state.cpp"

@@ -14,7 +14,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// What can be done about it, each with a button.
 enum class CardOffer {
@@ -75,7 +75,7 @@ class EmptyStateCard : public QFrame {
   std::optional<EmptyState::Kind> kind() const { return state_ ? std::optional(state_->kind) : std::nullopt; }
 
  Q_SIGNALS:
-  void wanted(mapwright::window::CardOffer offer);
+  void wanted(mapwright::ui::CardOffer offer);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -90,4 +90,4 @@ class EmptyStateCard : public QFrame {
   std::optional<EmptyState> state_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

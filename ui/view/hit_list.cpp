@@ -8,7 +8,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 namespace bg = boost::geometry;
@@ -101,4 +101,4 @@ void HitList::within(const geometry::WorldRect& area, const std::function<void(c
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

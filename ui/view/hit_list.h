@@ -11,7 +11,7 @@
 #include "ui/scene/layer.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Points in the world by key, in an R-tree, so that the size of the map does not matter.
 class PointIndex {
@@ -60,4 +60,4 @@ class HitList {
   std::vector<Source> sources_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

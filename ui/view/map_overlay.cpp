@@ -27,7 +27,7 @@
 #include "ui/view/toast_stack.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 constexpr int kMargin = 12;
@@ -196,6 +196,6 @@ MapFurniture::MapFurniture(const Actions& actions, QWidget* parent)
   connect(north_up, &QAction::enabledChanged, north_, &QWidget::setEnabled);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_map_overlay.cpp"

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QString>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 class CompareBar;
@@ -92,4 +92,4 @@ class MapFurniture : public QFrame {
   NorthArrow* north_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 
 class QPainter;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The cursor position and modifiers.
 struct MapPoint {
@@ -91,7 +91,7 @@ class PanTool : public MapTool {
   void clicked(const MapPoint& at) override { Q_EMIT clickedAt(at); }
 
  Q_SIGNALS:
-  void clickedAt(const mapwright::window::MapPoint& at);
+  void clickedAt(const mapwright::ui::MapPoint& at);
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -19,7 +19,7 @@
 #include "ui/kit/actions.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -670,6 +670,6 @@ void addCameraActions(Actions& actions, MapView& view) {
               &view, [&view] { view.rotateBy(-geometry::radiansFromDegrees(kTurnDegrees)); });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_map_view.cpp"

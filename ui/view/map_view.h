@@ -16,7 +16,7 @@
 class QGestureEvent;
 class QNativeGestureEvent;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 
@@ -152,4 +152,4 @@ class MapView : public QGraphicsView {
 /// "zoomIn", "zoomOut", "native", "fit", "northUp", "rotateLeft", "rotateRight". The view must outlive them.
 void addCameraActions(Actions& actions, MapView& view);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

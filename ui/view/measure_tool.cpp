@@ -6,7 +6,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/scene/lengths.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using scene::areaText;
 using scene::lengthText;
@@ -121,6 +121,6 @@ QString MeasureTool::hint() const {
       .arg(lengthText(leg.norm()), heading, lengthText(total() + leg.norm()));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_measure_tool.cpp"

@@ -7,7 +7,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Click adds a point, the leg to the cursor is updated live, a click on the first point closes a ring,
 /// Backspace removes the last point, Enter, double click or Esc ends it and keeps the result; the next click
@@ -43,4 +43,4 @@ class MeasureTool : public MapTool {
   bool ended_ = false, closed_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -13,7 +13,7 @@
 #include "ui/kit/state_mark.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 NoticeBar::NoticeBar(QWidget* parent)
     : QFrame(parent),
@@ -61,7 +61,7 @@ void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& off
 QString NoticeBar::sentence() const { return label_->text(); }
 
 void NoticeBar::paintEvent(QPaintEvent*) {
-  const UiColors colors = greyed_ ? window::greyed(appColors()) : appColors();
+  const UiColors colors = greyed_ ? ui::greyed(appColors()) : appColors();
   QPainter painter(this);
   painter.fillRect(rect(), colors.window);
   QColor tint = markColor(mark_, colors);
@@ -95,6 +95,6 @@ QString lostConnectionSentence(const QDateTime& since, const QDateTime& now, con
       .arg(at, ago);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_notice_bar.cpp"

@@ -9,7 +9,7 @@
 class QToolButton;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -52,4 +52,4 @@ QString lengthText(qint64 seconds);
 /// called; empty: it is a robot.
 QString lostConnectionSentence(const QDateTime& since, const QDateTime& now, const QString& file = {});
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@
 #include "ui/view/replay_state.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -152,4 +152,4 @@ void setViewMode(scene::MapScene& scene, ViewMode mode) {
   scene.setLayerVisible(Layer::Submaps, mode != ViewMode::Whole);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -11,7 +11,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/view/empty_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 bool comparing(const scene::MapScene& scene);
 /// Sensor points of the robot are drawn.
@@ -39,4 +39,4 @@ std::optional<ViewMode> viewMode(const scene::MapScene& scene);
 /// Both: the whole map is moved below the submaps.
 void setViewMode(scene::MapScene& scene, ViewMode mode);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

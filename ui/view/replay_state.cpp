@@ -6,7 +6,7 @@
 #include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 const replay::ReplayRobot* replayOf(const session::Session* session) {
   return session ? qobject_cast<const replay::ReplayRobot*>(&session->robot()) : nullptr;
@@ -61,4 +61,4 @@ std::optional<StateText> sourceText(const session::Session* session) {
                                   : QCoreApplication::translate("window", "cannot be opened: %1").arg(why)};
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/view/empty_state.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The replay of this session; null: it shows a live robot.
 const replay::ReplayRobot* replayOf(const session::Session* session);
@@ -25,4 +25,4 @@ std::optional<StateText> replayText(const session::Session* session);
 /// The same for everything that is no connection: a replay, an open file. nullopt: a live robot.
 std::optional<StateText> sourceText(const session::Session* session);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

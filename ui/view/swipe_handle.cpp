@@ -10,7 +10,7 @@
 
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 SwipeHandle::SwipeHandle(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("swipe"));
@@ -95,6 +95,6 @@ void SwipeHandle::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_swipe_handle.cpp"

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// As high as the map, a few pixels wide; dragging and the arrow keys move the divider.
 class SwipeHandle : public QWidget {
@@ -36,4 +36,4 @@ class SwipeHandle : public QWidget {
   std::optional<double> grab_px_;  // from the divider to where it was grabbed
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

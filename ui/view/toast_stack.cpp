@@ -15,7 +15,7 @@
 #include "ui/kit/state_mark.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -165,6 +165,6 @@ QStringList ToastStack::texts() const {
   return texts;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_toast_stack.cpp"

@@ -11,7 +11,7 @@
 
 class QVBoxLayout;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// An action for it; empty text = none.
 struct ToastOffer {
@@ -41,4 +41,4 @@ class ToastStack : public QWidget {
   int lifetime_ms_ = 4'000;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -3,7 +3,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 ToolChoice::ToolChoice(MapView* view, MapOverlay* overlay, QObject* parent)
     : QObject(parent), view_(view), overlay_(overlay) {}
@@ -46,6 +46,6 @@ void ToolChoice::sync() {
   for (const Entry& entry : tools_) entry.action->setChecked(entry.tool == chosen());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_tool_choice.cpp"

@@ -8,7 +8,7 @@
 
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MapOverlay;
 class MapView;
@@ -43,4 +43,4 @@ class ToolChoice : public QObject {
   std::vector<Entry> tools_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

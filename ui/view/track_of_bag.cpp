@@ -4,7 +4,7 @@
 
 #include "replay/track.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading) {
   const std::vector<replay::TrackPoint> points = replay::trackOf(reading.index().digests());
@@ -22,4 +22,4 @@ std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading) {
   return track;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -6,9 +6,9 @@
 #include "replay/reading.h"
 #include "ui/scene/track.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// As far as it has been read.
 std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

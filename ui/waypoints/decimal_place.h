@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// In decimals, to the micrometre: sums of decimals are none (0.15000000000000002), and end in files. Axes on
 /// which it stays at `from_m` are not changed.
@@ -21,4 +21,4 @@ inline Eigen::Vector2d decimalPlace(const Eigen::Vector2d& to_m,
   return place;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -9,7 +9,7 @@
 #include "ui/kit/panels.h"
 #include "ui/shell/unsaved_changes.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -92,6 +92,6 @@ void EditController::refresh() {
   save_->setEnabled(context_.unsaved.maySave());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_edit_controller.cpp"

@@ -6,7 +6,7 @@
 
 class QDockWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class EditController : public Controller {
   Q_OBJECT
@@ -24,4 +24,4 @@ class EditController : public Controller {
   QAction *undo_, *redo_, *save_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

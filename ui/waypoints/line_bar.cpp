@@ -21,7 +21,7 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kLineBarMarginPx = 16;
@@ -195,6 +195,6 @@ void LineBar::keyPressEvent(QKeyEvent* event) {
   QFrame::keyPressEvent(event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_line_bar.cpp"

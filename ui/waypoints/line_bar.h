@@ -14,7 +14,7 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -61,4 +61,4 @@ class LineBar : public QFrame {
   mutable std::optional<exchange::TakenNames> taken_;  // made when they are asked for
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kTickPx = 11;
@@ -79,6 +79,6 @@ QString LineTool::hint() const {
   return tr("Enter creates them, Esc starts over.");
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_line_tool.cpp"

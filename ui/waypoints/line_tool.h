@@ -6,7 +6,7 @@
 #include "placing/arrange.h"
 #include "ui/waypoints/two_point_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class LineTool : public TwoPointTool {
   Q_OBJECT
@@ -44,4 +44,4 @@ class LineTool : public TwoPointTool {
   double spacing_m_ = 1;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -2,7 +2,7 @@
 
 #include "ui/waypoints/waypoint_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 MirrorTool::MirrorTool(WaypointEditing* editing, const scene::MapScene* scene, WaypointSnapping* snapping,
                        QObject* parent)
@@ -60,6 +60,6 @@ QString MirrorTool::hint() const {
                       .arg(waypointsText(qsizetype(editing_->selected().size())));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_mirror_tool.cpp"

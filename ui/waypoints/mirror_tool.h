@@ -5,7 +5,7 @@
 #include "ui/waypoints/two_point_tool.h"
 #include "ui/waypoints/waypoint_editing.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MirrorTool : public TwoPointTool {
   Q_OBJECT
@@ -32,4 +32,4 @@ class MirrorTool : public TwoPointTool {
   WaypointEditing* editing_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

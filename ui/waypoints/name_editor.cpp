@@ -10,7 +10,7 @@
 
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kNameWidthPx = 180, kAsidePx = 12, kLongestTyped = 500;
@@ -163,6 +163,6 @@ void NameEditor::focusOutEvent(QFocusEvent* event) {
   }
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_name_editor.cpp"

@@ -6,7 +6,7 @@
 
 #include <QLineEdit>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class NameEditor : public QLineEdit {
   Q_OBJECT
@@ -51,4 +51,4 @@ class NameEditor : public QLineEdit {
   bool back_after_it_ = false;  // that press was on its own waypoint
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -27,7 +27,7 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using exchange::NameTrouble;
@@ -274,6 +274,6 @@ void RenameDialog::apply() {
   accept();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_rename_dialog.cpp"

@@ -20,7 +20,7 @@ class QSpinBox;
 class QStackedWidget;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class NewNamesModel : public QAbstractTableModel {
   Q_OBJECT
@@ -81,4 +81,4 @@ class RenameDialog : public QDialog {
   std::vector<edit::Key> keys_;  // of the rows
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 TwoPointTool::TwoPointTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent)
     : DragTool(scene, parent), snapping_(snapping) {}
@@ -97,6 +97,6 @@ void TwoPointTool::paint(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_two_point_tool.cpp"

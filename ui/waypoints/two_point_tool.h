@@ -6,7 +6,7 @@
 #include "ui/view/drag_tool.h"
 #include "ui/waypoints/waypoint_snapping.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class TwoPointTool : public DragTool {
   Q_OBJECT
@@ -53,4 +53,4 @@ class TwoPointTool : public DragTool {
   placing::SnappedPlace landing_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/waypoints/rename_dialog.h"
 #include "ui/waypoints/waypoint_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 using Spots = std::vector<placing::Spot>;
@@ -138,6 +138,6 @@ void WaypointArranging::rename() {
   dialog_->open();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_arranging.cpp"

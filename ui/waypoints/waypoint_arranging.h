@@ -13,7 +13,7 @@
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_snapping.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MirrorTool;
 class RenameDialog;
@@ -51,4 +51,4 @@ class WaypointArranging : public QObject {
   QPointer<RenameDialog> dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

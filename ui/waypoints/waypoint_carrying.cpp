@@ -10,7 +10,7 @@
 #include "ui/waypoints/waypoint_transfer.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 WaypointCarrying::WaypointCarrying(WindowContext& context, WaypointEditing* editing,
                                    WaypointTransfer* transfer, const WaypointWarnings* warnings,
@@ -115,6 +115,6 @@ bool WaypointCarrying::put(const std::vector<int>& going) {
   return !keys.empty();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_carrying.cpp"

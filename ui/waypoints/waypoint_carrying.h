@@ -8,7 +8,7 @@
 #include "ui/carry/carrying.h"
 #include "ui/waypoints/waypoint_editing.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointTransfer;
 class WaypointWarnings;
@@ -40,4 +40,4 @@ class WaypointCarrying : public Carrying {
   std::map<std::string, edit::Key> became_;  // by the ids of rows
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -14,7 +14,7 @@
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 class ConflictText {
@@ -156,6 +156,6 @@ void ConflictBox::show(const edit::WaypointDocument& document) {
 
 QString ConflictBox::shown() const { return isHidden() ? QString() : text_->text(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_conflicts.cpp"

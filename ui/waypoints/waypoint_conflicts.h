@@ -13,7 +13,7 @@ class QLabel;
 class QMenu;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointEditing;
 
@@ -50,7 +50,7 @@ class ConflictBox : public QFrame {
   QString shown() const;  // empty = nothing
 
  Q_SIGNALS:
-  void decided(const std::string& key, mapwright::window::ConflictChoice choice);
+  void decided(const std::string& key, mapwright::ui::ConflictChoice choice);
   void locateWanted(const std::string& key);
 
  private:
@@ -64,4 +64,4 @@ class ConflictBox : public QFrame {
   const edit::WaypointDocument* document_ = nullptr;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -9,7 +9,7 @@
 #include "ui/waypoints/decimal_place.h"
 #include "ui/waypoints/waypoint_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 /// What a command is about: the name of the only waypoint, as it was, or how many there are.
@@ -273,6 +273,6 @@ bool areSame(const std::vector<edit::Key>& keys, const WaypointPreview& preview)
                     [](const edit::Key& key, const auto& moved) { return key == moved.first; });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_editing.cpp"

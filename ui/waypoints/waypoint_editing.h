@@ -15,7 +15,7 @@
 #include "edit/document.h"
 #include "placing/arrange.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Where waypoints are during a drag: only positions and headings, so that thousands cost little.
 using WaypointPreview = std::map<edit::Key, placing::Spot>;
@@ -113,4 +113,4 @@ class WaypointEditing : public QObject {
   edit::Gesture last_gesture_ = 0;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

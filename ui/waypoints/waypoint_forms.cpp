@@ -28,7 +28,7 @@
 #include "ui/waypoints/waypoint_warnings.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kFarthestFieldM = 1e9;
@@ -412,6 +412,6 @@ void GroupForm::refresh() {
   type_->setPlaceholderText(all.same_type ? tr("none") : tr("different"));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_forms.cpp"

@@ -12,7 +12,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointWarnings;
 
@@ -96,4 +96,4 @@ class GroupForm : public QWidget {
   QLabel* type_label_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -30,7 +30,7 @@
 #include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_text.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kFarthestPlaceM = 1e7;
@@ -474,6 +474,6 @@ void WaypointPlacing::showNextWarning() {
   if (!well_inside.contains(at)) context_.view.lookAt(point->position_m);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_placing.cpp"

@@ -16,7 +16,7 @@
 class QDoubleSpinBox;
 class QLineEdit;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class LineBar;
 class LineTool;
@@ -149,4 +149,4 @@ class WaypointPlacing : public QObject {
   QPointer<PlacingDialog> dialog_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -23,7 +23,7 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr qsizetype kLongestTip = 2'000;
@@ -514,6 +514,6 @@ QString WaypointReview::comparedShown() const {
   return compared_->isHidden() ? QString() : compared_->text();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_review.cpp"

@@ -20,7 +20,7 @@ class QProgressBar;
 class QPushButton;
 class QTableView;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The requests, each in words, with its changes and its result; below them the changes that the robot would
 /// refuse, which are not sent. Rows keep their positions: neither focus nor selection moves when they change.
@@ -132,4 +132,4 @@ class WaypointReview : public QDialog {
   bool unreached_ = false;  // nothing was sent, because the stored waypoints could not be read
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

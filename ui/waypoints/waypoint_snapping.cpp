@@ -14,7 +14,7 @@
 #include "ui/scene/lengths.h"
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr double kHeadingReach = geometry::radiansFromDegrees(3);
@@ -155,6 +155,6 @@ void WaypointSnapping::paint(QPainter& painter, const placing::SnappedPlace& pla
   painter.restore();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_snapping.cpp"

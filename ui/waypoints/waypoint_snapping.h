@@ -12,7 +12,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/view/hit_list.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointSnapping : public QObject {
   Q_OBJECT
@@ -51,4 +51,4 @@ class WaypointSnapping : public QObject {
 /// What lies under the waypoints: the whole map on screen; none while it is being read.
 placing::PlacedMap mapUnder(const scene::MapScene& scene);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

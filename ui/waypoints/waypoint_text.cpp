@@ -10,11 +10,11 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 struct WaypointsText {
-  Q_DECLARE_TR_FUNCTIONS(mapwright::window::Waypoints)
+  Q_DECLARE_TR_FUNCTIONS(mapwright::ui::Waypoints)
 };
 
 QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fields) {
@@ -186,4 +186,4 @@ std::optional<LeftName> leftName(const edit::WaypointDocument& document,
   return std::nullopt;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

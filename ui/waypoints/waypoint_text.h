@@ -12,7 +12,7 @@
 #include "exchange/waypoint_deed.h"
 #include "exchange/waypoint_steps.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 using exchange::deedText;
 using exchange::shortWaypointName;
@@ -73,4 +73,4 @@ struct LeftName {
 /// The first one; ignores those in `accepted`.
 std::optional<LeftName> leftName(const edit::WaypointDocument& document, const std::set<edit::Key>& accepted);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

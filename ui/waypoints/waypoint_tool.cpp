@@ -10,7 +10,7 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "words/fixed.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kFarCells = 10;  // with Shift
@@ -387,6 +387,6 @@ QString WaypointTool::hint() const {
                  : tr("Drag or use the arrows to move, F2 renames. Esc deselects.");
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_tool.cpp"

@@ -10,7 +10,7 @@
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_snapping.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointTool : public DragTool {
   Q_OBJECT
@@ -82,4 +82,4 @@ class WaypointTool : public DragTool {
   mutable std::optional<Group> group_;  // as it is; made when it is asked for
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -39,7 +39,7 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kMostRows = 2'000;  // the others are only counted
@@ -411,6 +411,6 @@ bool WaypointTransfer::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_transfer.cpp"

@@ -24,7 +24,7 @@ class QComboBox;
 class QPushButton;
 class QTableWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The imported data, unparsed.
 struct ImportSource {
@@ -115,4 +115,4 @@ class WaypointTransfer : public QObject {
   QAction *copy_ = nullptr, *paste_ = nullptr, *import_ = nullptr, *export_ = nullptr;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

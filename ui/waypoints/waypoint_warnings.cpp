@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr std::size_t kMostOfGroup = 2'500;
@@ -247,6 +247,6 @@ void WaypointWarnings::emitChanged(const std::set<std::string>& keys) {
   if (!keys.empty()) Q_EMIT changed({keys.begin(), keys.end()});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoint_warnings.cpp"

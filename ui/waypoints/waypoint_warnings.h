@@ -17,7 +17,7 @@
 #include "ui/waypoints/waypoint_editing.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointWarnings : public QObject {
   Q_OBJECT
@@ -87,4 +87,4 @@ class WaypointWarnings : public QObject {
   work::Tasks share_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

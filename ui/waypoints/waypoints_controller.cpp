@@ -36,7 +36,7 @@
 #include "ui/waypoints/waypoints_dock.h"
 #include "ui/waypoints/waypoints_on_map.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
     : EditorController(context, parent),
@@ -477,6 +477,6 @@ void WaypointsController::discardAll(std::function<void()> then) {
   then();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoints_controller.cpp"

@@ -15,7 +15,7 @@
 
 class QMenu;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class NameEditor;
 class WaypointCarrying;
@@ -101,4 +101,4 @@ class WaypointsController : public EditorController {
   std::set<edit::Key> accepted_names_;  // that look temporary and may stay
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

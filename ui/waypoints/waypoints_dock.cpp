@@ -29,7 +29,7 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -453,6 +453,6 @@ bool WaypointsDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoints_dock.cpp"

@@ -18,7 +18,7 @@ namespace mapwright::edit {
 class OpenWaypoints;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ConflictBox;
 enum class ConflictChoice;
@@ -70,7 +70,7 @@ class WaypointsDock : public QDockWidget {
   void retryWanted();
   void nextWarningWanted();
   void locateWanted(const std::string& key);
-  void decided(const std::string& key, mapwright::window::ConflictChoice choice);
+  void decided(const std::string& key, mapwright::ui::ConflictChoice choice);
   void copyWanted();
   void pasteWanted();
 
@@ -108,4 +108,4 @@ class WaypointsDock : public QDockWidget {
   bool showing_selection_ = false, status_bad_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -20,7 +20,7 @@
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr std::size_t kManyRows = 200;  // more at once are signalled as a whole
@@ -317,6 +317,6 @@ const QCollatorSortKey& WaypointFilter::sortKey(const QString& text) const {
                                    : sort_keys_.emplace(text, order_.sortKey(text)).first->second;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoints_model.cpp"

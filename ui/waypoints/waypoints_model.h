@@ -13,7 +13,7 @@
 #include "edit/document.h"
 #include "placing/warnings.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointWarnings;
 
@@ -82,4 +82,4 @@ class WaypointFilter : public QSortFilterProxyModel {
   mutable std::unordered_map<QString, QCollatorSortKey> sort_keys_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

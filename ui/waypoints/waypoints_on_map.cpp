@@ -8,7 +8,7 @@
 #include "sentences/placing_sentence.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr std::size_t kManyMoved = 500;  // with more at once the index is rebuilt
@@ -198,6 +198,6 @@ void WaypointsOnMap::draw() {
   scene_->setWaypoints(std::move(drawn));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_waypoints_on_map.cpp"

@@ -13,7 +13,7 @@
 #include "ui/view/hit_list.h"
 #include "ui/waypoints/waypoint_editing.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class WaypointWarnings;
 
@@ -51,4 +51,4 @@ class WaypointsOnMap : public QObject {
   std::vector<edit::Key> previewed_;  // as drawn
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 #include "ui/kit/actions.h"
 #include "ui/scene/map_scene.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -76,6 +76,6 @@ bool AppearanceController::eventFilter(QObject* watched, QEvent* event) {
   return Controller::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_appearance_controller.cpp"

@@ -7,7 +7,7 @@
 
 class QActionGroup;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Applies the saved theme to the program and the map. Before any widget is made: they take their sizes from
 /// its style.
@@ -32,4 +32,4 @@ class AppearanceController : public Controller {
   QAction* full_screen_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

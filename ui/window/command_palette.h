@@ -11,7 +11,7 @@
 class QLineEdit;
 class QListWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 
@@ -42,4 +42,4 @@ class CommandPalette : public QDialog {
   QListWidget* list_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

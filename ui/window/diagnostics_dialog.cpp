@@ -14,7 +14,7 @@
 #include "ui/window/work_settings.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 constexpr int kLookEveryMs = 1'000;
@@ -210,6 +210,6 @@ void DiagnosticsDialog::keep() {
   keepWorkSettings(settings_, {threads_->value(), mb < WorkSettings::kLeastMb ? 0 : mb});
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_diagnostics_dialog.cpp"

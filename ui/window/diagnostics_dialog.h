@@ -14,7 +14,7 @@ class QPushButton;
 class QSpinBox;
 class QVBoxLayout;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class PlainLabel;
 
@@ -59,4 +59,4 @@ class DiagnosticsDialog : public QDialog {
   QPushButton* copy_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

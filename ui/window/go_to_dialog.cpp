@@ -11,7 +11,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -71,6 +71,6 @@ void GoToDialog::check() {
   error_->setText(complain ? tr("Enter two numbers in metres, for example 12.5, -3.2.") : QString());
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_go_to_dialog.cpp"

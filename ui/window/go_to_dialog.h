@@ -10,7 +10,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// Parses "12.3, -4.5", "12.3 -4.5", "x 12.3 y -4.5 m", "12,3; -4,5". Metres; nullopt if it is not a point
 /// within a million metres.
@@ -31,4 +31,4 @@ class GoToDialog : public QDialog {
   QPushButton* go_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

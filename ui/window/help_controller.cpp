@@ -12,7 +12,7 @@
 #include "ui/window/manual_window.h"
 #include "ui/window/shortcut_sheet.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 HelpController::HelpController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context) {
@@ -91,6 +91,6 @@ void HelpController::showManual() {
   manual_->activateWindow();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_help_controller.cpp"

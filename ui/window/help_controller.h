@@ -6,7 +6,7 @@
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class DiagnosticsDialog;
 class ManualWindow;
@@ -26,4 +26,4 @@ class HelpController : public Controller {
   ManualWindow* manual_ = nullptr;  // once opened; hidden when it is closed
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -15,7 +15,7 @@
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -171,6 +171,6 @@ void LayoutController::store(QSettings& settings) {
 
 void LayoutController::reset() { context_.panels.arrange(fresh()); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_layout_controller.cpp"

@@ -13,7 +13,7 @@
 
 class QAction;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class LayoutController : public Controller {
   Q_OBJECT
@@ -58,4 +58,4 @@ class LayoutController : public Controller {
   bool offered_ = false;  // the layout of replays
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -138,4 +138,4 @@ QStringList withTextOnBar(Role role) {
   return ids;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

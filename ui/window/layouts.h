@@ -7,7 +7,7 @@
 
 #include "ui/kit/panels.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 enum class Role {
   Operate,  // waypoints, the robot, maps
@@ -27,4 +27,4 @@ bool isOnBar(Role role, const QString& action);
 /// The actions that have their text beside the icon as far as there is room, the most useful first.
 QStringList withTextOnBar(Role role);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -70,7 +70,7 @@
 #include "ui/window/tool_bar.h"
 #include "ui/window/view_controller.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -408,6 +408,6 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
 void MainWindow::leaveRobot() { current_->leave(); }
 session::Session* MainWindow::session() const { return current_->session(); }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_main_window.cpp"

@@ -31,7 +31,7 @@ namespace mapwright::keyring {
 class KeyRing;
 }
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class AdministrationController;
 class AppearanceController;
@@ -185,4 +185,4 @@ class MainWindow : public QMainWindow {
   bool may_close_ = false;                // unsaved changes have been dealt with
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -26,7 +26,7 @@
 
 static void initManual() { Q_INIT_RESOURCE(manual); }  // not within a namespace
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -289,6 +289,6 @@ bool ManualWindow::eventFilter(QObject* watched, QEvent* event) {
   return QDialog::eventFilter(watched, event);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_manual_window.cpp"

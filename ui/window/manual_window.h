@@ -11,7 +11,7 @@ class QListWidget;
 class QListWidgetItem;
 class QTextBrowser;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class ManualWindow : public QDialog {
   Q_OBJECT
@@ -40,4 +40,4 @@ class ManualWindow : public QDialog {
   QTextBrowser* page_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -16,7 +16,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -73,4 +73,4 @@ void goToPane(const WindowContext& context, int step) {
   stop->setFocus(step > 0 ? Qt::TabFocusReason : Qt::BacktabFocusReason);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

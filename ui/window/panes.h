@@ -5,7 +5,7 @@
 
 #include "ui/shell/window_context.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// The map, what lies over it, the docks in front, the status bar and the tool bar: what of them is visible
 /// and can have the focus, in this order.
@@ -13,4 +13,4 @@ std::vector<QWidget*> panesOf(const WindowContext& context);
 /// Puts the focus where it last was in the next pane (1) or the previous one (-1).
 void goToPane(const WindowContext& context, int step);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

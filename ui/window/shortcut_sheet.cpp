@@ -18,7 +18,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -182,4 +182,4 @@ QDialog* makeAboutBox(QWidget* parent) {
   return dialog;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

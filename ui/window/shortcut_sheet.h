@@ -4,7 +4,7 @@
 class QDialog;
 class QWidget;
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 
@@ -12,4 +12,4 @@ class Actions;
 QDialog* makeShortcutSheet(const Actions& actions, QWidget* parent);
 QDialog* makeAboutBox(QWidget* parent);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -10,7 +10,7 @@
 #include "ui/kit/actions.h"
 #include "ui/kit/icons.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 ToolBar::ToolBar(const Actions& actions, QWidget* parent) : QToolBar(tr("Tools"), parent) {
   setObjectName(QStringLiteral("tools"));
@@ -102,6 +102,6 @@ void ToolBar::resizeEvent(QResizeEvent* event) {
   if (event->size().width() != event->oldSize().width()) giveTexts();
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_tool_bar.cpp"

@@ -7,7 +7,7 @@
 
 #include "ui/window/layouts.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class Actions;
 
@@ -29,4 +29,4 @@ class ToolBar : public QToolBar {
   QStringList with_text_;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -20,7 +20,7 @@
 #include "ui/window/go_to_dialog.h"
 #include "ui/window/panes.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 namespace {
 
@@ -287,6 +287,6 @@ void ViewController::copyCoordinates(const Eigen::Vector2d& world_m) {
   copyText(context_.overlay, text, tr("Copied %1").arg(text));
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
 
 #include "moc_view_controller.cpp"

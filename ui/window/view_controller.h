@@ -8,7 +8,7 @@
 #include "ui/shell/window_context.h"
 #include "ui/view/map_tool.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 class MeasureTool;
 
@@ -28,7 +28,7 @@ class ViewController : public Controller {
   /// A click on the map with the pan tool, world metres.
   void clicked(const Eigen::Vector2d& world_m);
   /// The same, with where it was on screen and with which keys.
-  void picked(const mapwright::window::MapPoint& at);
+  void picked(const mapwright::ui::MapPoint& at);
 
  private:
   void addTools();
@@ -53,4 +53,4 @@ class ViewController : public Controller {
   bool fitted_poses_ = false, fitted_scans_ = false;
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

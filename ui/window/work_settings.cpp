@@ -5,7 +5,7 @@
 
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 namespace {
 
 const QString kThreads = QStringLiteral("work/threads"), kBudget = QStringLiteral("memory/budget_mb");
@@ -58,4 +58,4 @@ void keepWorkSettings(QSettings& settings, const WorkSettings& wanted) {
   keep(settings, kBudget, wanted.budget_mb);
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui

@@ -7,7 +7,7 @@
 
 #include "work/budgets.h"
 
-namespace mapwright::window {
+namespace mapwright::ui {
 
 /// 0 = default: one thread per processor, work::kUsualBudget.
 struct WorkSettings {
@@ -30,4 +30,4 @@ struct KeptWorkSettings {
 KeptWorkSettings workSettingsIn(const QSettings& settings);
 void keepWorkSettings(QSettings& settings, const WorkSettings& wanted);
 
-}  // namespace mapwright::window
+}  // namespace mapwright::ui
