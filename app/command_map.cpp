@@ -5,6 +5,7 @@
 
 #include "app/command_text.h"
 #include "disk/read_file.h"
+#include "grids/grid_pyramid.h"
 #include "placing/warnings.h"
 #include "robot/sends_map.h"
 #include "sentences/problem_sentence.h"

@@ -9,6 +9,7 @@
 #include "app/command_text.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
+#include "grids/grid_pyramid.h"
 #include "grids/png_writer.h"
 #include "render/grid_palettes.h"
 #include "sentences/fault_sentence.h"

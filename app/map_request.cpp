@@ -4,6 +4,7 @@
 
 #include "app/command_text.h"
 #include "app/report.h"
+#include "grids/grid_pyramid.h"
 #include "regions/region_fetch.h"
 #include "robot/map_dispatch.h"
 #include "robot/sends_map.h"

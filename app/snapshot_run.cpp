@@ -21,7 +21,10 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
+#include "session/layer_grids.h"
+#include "session/session_options.h"
 #include "session/submaps_complete.h"
+#include "submap/submap_store.h"
 #include "ui/view/track_of_bag.h"
 
 namespace mapwright::app {
@@ -123,7 +126,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
     const geometry::WorldRect bounds = session_.contentBounds();
     session_.setView(bounds, bounds.center());
   });
-  if (options_.average) session_.wholeMap().setReduction(grids::Reduction::Average);
+  if (options_.average) session_.wholeMap().setAveraged(true);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, &SnapshotRun::look, Qt::QueuedConnection);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, [this] {
     const auto grid = wholeGrid();

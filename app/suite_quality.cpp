@@ -11,6 +11,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/submaps_complete.h"
+#include "submap/submap_store.h"
 
 namespace mapwright::app {
 namespace {

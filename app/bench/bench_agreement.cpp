@@ -13,6 +13,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agreement/survey.h"
+#include "cells/cell_texture.h"
+#include "render/dense_cache.h"
 
 namespace {
 

@@ -17,7 +17,9 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
+#include "cells/cell_texture.h"
 #include "render/compositor.h"
+#include "render/dense_cache.h"
 #include "render/tile_renderer.h"
 
 namespace {

@@ -14,6 +14,7 @@
 #include <QScrollBar>
 #include <benchmark/benchmark.h>
 
+#include "cells/cell_texture.h"
 #include "ui/scene/map_scene.h"
 
 namespace {

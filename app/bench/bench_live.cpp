@@ -16,6 +16,7 @@
 #include <benchmark/benchmark.h>
 #include <spng.h>
 
+#include "grids/grid_pyramid.h"
 #include "session/session_options.h"
 #include "ui/scene/map_scene.h"
 

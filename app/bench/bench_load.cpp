@@ -14,6 +14,7 @@
 #include "robot/axbot/axbot_robot.h"
 #include "session/session_options.h"
 #include "simulator/simulator.h"
+#include "submap/submap_store.h"
 
 namespace {
 

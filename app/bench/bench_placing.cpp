@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "grids/grid_pyramid.h"
 #include "placing/warnings.h"
 #include "work/workers.h"
 

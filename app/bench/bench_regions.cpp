@@ -12,8 +12,10 @@
 #include <QPainter>
 #include <benchmark/benchmark.h>
 
+#include "grids/grid_pyramid.h"
 #include "regions/region_cells.h"
 #include "regions/region_fetch.h"
+#include "regions/region_sheet.h"
 #include "render/grid_renderer.h"
 #include "work/workers.h"
 

@@ -23,7 +23,7 @@ struct PlanOptions {
   // there are more, smaller ones, up to kMostPieces for each.
   int most_in_view = 32;
   int region_cells = 1024;  // RegionSheet::kStep
-  Millis cooldown{2'000};  // after a failure, doubled up to
+  Millis cooldown{2'000};   // after a failure, doubled up to
   Millis cooldown_limit{60'000};
   double probe_m = 5;                  // edge of the first region, before the cell size is known
   double assumed_resolution_m = 0.05;  // for a robot that does not report it

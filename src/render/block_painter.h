@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "render/compositor.h"
-#include "render/tap_cells.h"
 #include "render/kernel.h"
+#include "render/tap_cells.h"
 
 namespace mapwright::render {
 

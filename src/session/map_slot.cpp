@@ -43,7 +43,6 @@ struct MapSlot::Listener {
 MapSlot::MapSlot(QString sidecar_folder, const grids::Resources& resources, QObject* parent)
     : QObject(parent),
       sidecar_folder_(std::move(sidecar_folder)),
-      reduction_(grids::Reduction::OccupiedWins),
       listener_(std::make_shared<Listener>()),
       resources_(std::make_unique<grids::Resources>(work::orOwn(resources.workers), resources.unpacked)),
       tasks_(resources_->workers) {
@@ -95,9 +94,9 @@ void MapSlot::show(map::WholeMap map) {
   start();
 }
 
-void MapSlot::setReduction(grids::Reduction reduction) {
-  if (reduction == reduction_) return;
-  reduction_ = reduction;
+void MapSlot::setAveraged(bool averaged) {
+  if (averaged == averaged_) return;
+  averaged_ = averaged;
   if (!source_ || phase_ == Phase::Fetching) return;
   cancel();
   start();
@@ -156,7 +155,7 @@ void MapSlot::start() {
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   grids::GridOptions options;
   options.reading = source_->reading;
-  options.reduction = reduction_;
+  options.reduction = averaged_ ? grids::Reduction::Average : grids::Reduction::OccupiedWins;
   options.resources = *resources_;
   if (source_->key.kind != map::MapKind::Live) {
     options.sidecar_folder = sidecar_folder_.toStdString();
@@ -167,7 +166,9 @@ void MapSlot::start() {
       MapSlot* const slot = listener->slot;
       if (!slot) return;
       QMetaObject::invokeMethod(
-          slot, [slot, generation, damage] { slot->onDamage(generation, damage); }, Qt::QueuedConnection);
+          slot,
+          [slot, generation, damage] { slot->onDamage(generation, damage == grids::GridDamage::Mended); },
+          Qt::QueuedConnection);
     };
   }
   tasks_.startLong([this, generation = generation_, cancelled = cancelled_, map = *source_,
@@ -221,8 +222,8 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
   Q_EMIT changed();
 }
 
-void MapSlot::onDamage(quint64 generation, grids::GridDamage damage) {
-  if (damage == grids::GridDamage::Mended) {
+void MapSlot::onDamage(quint64 generation, bool mended) {
+  if (mended) {
     Q_EMIT problemFound(
         {map::Severity::Info, subject(),
          faultText("session", "The cached copy was damaged. The map was read again from its picture."),

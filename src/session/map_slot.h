@@ -16,8 +16,6 @@ namespace mapwright::grids {
 class GridPyramid;
 struct GridOptions;
 struct Resources;
-enum class GridDamage : std::uint8_t;
-enum class Reduction : std::uint8_t;
 }  // namespace mapwright::grids
 
 namespace mapwright::session {
@@ -48,9 +46,9 @@ class MapSlot : public QObject {
   void clear();
   /// Freezes what is shown: reading stops, and later data is ignored.
   void standStill();
-  /// How cells are reduced to coarser levels; reads the picture again.
-  void setReduction(grids::Reduction reduction);
-  grids::Reduction reduction() const { return reduction_; }
+  /// Whether coarser levels show the average of their cells; if not, occupied ones win. Reads the picture
+  /// again.
+  void setAveraged(bool averaged);
 
   Phase phase() const { return phase_; }
   /// Read to the end (or until it failed), or there is nothing to read.
@@ -98,7 +96,7 @@ class MapSlot : public QObject {
   void start();
   static std::shared_ptr<Opened> open(const map::WholeMap& map, const grids::GridOptions& options,
                                       quint64 generation);
-  void onDamage(quint64 generation, grids::GridDamage damage);
+  void onDamage(quint64 generation, bool mended);
   void onOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
   void onRows(quint64 generation);
   void onEnd(quint64 generation, const std::optional<Fault>& error);
@@ -107,7 +105,7 @@ class MapSlot : public QObject {
   map::Subject subject() const;
 
   QString sidecar_folder_;
-  grids::Reduction reduction_;
+  bool averaged_ = false;
   Phase phase_ = Phase::Empty;
   map::MapKey key_;
   QString name_;

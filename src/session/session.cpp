@@ -39,9 +39,9 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       robot_(std::move(robot)),
       monotonic_(orOwnClock(std::move(monotonic))),
       wall_(std::move(options.wall)),
-      resources_(std::make_unique<grids::Resources>(
-          work::orOwn(std::move(options.workers)),
-          std::make_shared<grids::TileCache>(options.budgets.unpacked))),
+      resources_(
+          std::make_unique<grids::Resources>(work::orOwn(std::move(options.workers)),
+                                             std::make_shared<grids::TileCache>(options.budgets.unpacked))),
       safety_(live_, [this] { return wallSeconds(); }),
       submaps_(std::make_unique<Submaps>(
           [this] { return robot_->submapSource(); },
@@ -152,8 +152,10 @@ void Session::wireSubmaps() {
     Q_EMIT rowsTouched(rows);
     Q_EMIT rowsChanged();
   });
-  connect(submaps_.get(), &Submaps::problemFound, this, [this](const map::Problem& problem) { report(problem); });
-  connect(submaps_.get(), &Submaps::recovered, this, [this](const map::Recovery& recovery) { recover(recovery); });
+  connect(submaps_.get(), &Submaps::problemFound, this,
+          [this](const map::Problem& problem) { report(problem); });
+  connect(submaps_.get(), &Submaps::recovered, this,
+          [this](const map::Recovery& recovery) { recover(recovery); });
   connect(submaps_.get(), &Submaps::bodyCame, this, &Session::countFetch);
 }
 

@@ -219,7 +219,8 @@ class Session : public QObject {
   QStringList wanted_topics_;          // all topics that may carry it
   std::set<const MapSlot*> outdated_;  // their source has changed since
   std::map<const MapSlot*, map::MapKey> live_places_;  // whose waypoints were requested last
-  std::optional<std::chrono::milliseconds> listed_at_;  // when the catalogue last arrived; nullopt if it failed since
+  std::optional<std::chrono::milliseconds>
+      listed_at_;  // when the catalogue last arrived; nullopt if it failed since
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, map_for_checks_, overview_;
   const std::unique_ptr<LayerGrids> layer_grids_;

@@ -36,7 +36,7 @@ class Submaps : public QObject {
  public:
   struct Options {
     submap::SchedulerOptions scheduler;
-    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
+    std::shared_ptr<work::Workers> workers = {};         // null = a thread pool of its own
     std::size_t texture_bytes = std::size_t(256) << 20;  // in memory; the others wait on disk
     std::string texture_folder = {};  // for their file; empty = the system's folder for temporary files
   };

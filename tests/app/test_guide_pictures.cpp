@@ -14,16 +14,18 @@
 
 #include "../pbstream/state_bytes.h"
 #include "app/robot_factory.h"
+#include "cells/cell_texture.h"
 #include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/bag_library.h"
 #include "shown_window.h"
 #include "simulator/simulator.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 #include "ui/replay/replay_controller.h"
 #include "ui/shell/replay_clock.h"
 #include "ui/slam/disagreement_dock.h"
-#include "ui/window/window_parts.h"
+#include "window/window_parts.h"
 
 namespace test_guide_pictures {
 

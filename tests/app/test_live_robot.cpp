@@ -10,6 +10,7 @@
 #include "sentences/fault_sentence.h"
 #include "session/session_options.h"
 #include "simulator/simulator.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 
 namespace test_live_robot {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "grids/grid_pyramid.h"
 #include "placing/ground.h"
 
 namespace mapwright::test {

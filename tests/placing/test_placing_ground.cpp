@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "geometry/pose.h"
+#include "grids/grid_pyramid.h"
 #include "ground_maps.h"
 #include "map/live_topics.h"
 #include "placing/warnings.h"

@@ -3,6 +3,7 @@
 
 #include "fake_dispatch.h"
 #include "regions/map_regions.h"
+#include "regions/region_sheet.h"
 
 namespace mapwright::regions {
 

@@ -7,6 +7,7 @@
 #include "fake_dispatch.h"
 #include "map_shown.h"
 #include "regions/map_regions.h"
+#include "regions/region_sheet.h"
 #include "test_program.h"
 
 namespace test_map_regions {

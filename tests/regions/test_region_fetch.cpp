@@ -3,7 +3,9 @@
 
 #include "../test_timeouts.h"
 #include "fake_dispatch.h"
+#include "grids/grid_pyramid.h"
 #include "regions/region_fetch.h"
+#include "regions/region_sheet.h"
 #include "test_program.h"
 
 namespace test_region_fetch {

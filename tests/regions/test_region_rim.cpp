@@ -6,6 +6,7 @@
 
 #include "fake_dispatch.h"
 #include "map_shown.h"
+#include "regions/region_sheet.h"
 #include "test_program.h"
 
 namespace test_region_rim {

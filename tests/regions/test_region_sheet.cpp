@@ -6,6 +6,7 @@
 
 #include "grids/reduce_grid.h"
 #include "regions/region_cells.h"
+#include "regions/region_sheet.h"
 #include "test_program.h"
 
 namespace test_region_sheet {

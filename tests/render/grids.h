@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "grids/grid_pyramid.h"
 #include "render/sample_grid.h"
 
 namespace mapwright::test {

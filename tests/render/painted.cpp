@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include "render/dense_cache.h"
 #include "scenes.h"
 
 namespace mapwright::testing {

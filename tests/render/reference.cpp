@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cells/cell_texture.h"
+#include "render/dense_cache.h"
+
 namespace mapwright::testing {
 namespace {
 

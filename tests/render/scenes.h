@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cells/cell_texture.h"
 #include "geometry/view_transform.h"
 #include "render/compositor.h"
 

@@ -3,8 +3,12 @@
 
 #include <QtTest>
 
+#include "cells/cell_texture.h"
+#include "grids/grid_pyramid.h"
 #include "reference.h"
 #include "render/compositor.h"
+#include "render/dense_cache.h"
+#include "render/tap_cells.h"
 #include "test_program.h"
 
 namespace test_compositor {

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "grids.h"
+#include "grids/grid_pyramid.h"
 #include "render/grid_palettes.h"
 #include "render/grid_renderer.h"
 #include "test_program.h"

@@ -3,8 +3,11 @@
 
 #include <QTest>
 
+#include "cells/cell_texture.h"
 #include "grids.h"
+#include "grids/grid_pyramid.h"
 #include "render/compose_grid.h"
+#include "render/dense_cache.h"
 #include "render/faults.h"
 #include "render/sample_grid.h"
 #include "test_program.h"

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "grids.h"
+#include "grids/grid_pyramid.h"
 #include "render/sample_grid.h"
 #include "test_program.h"
 

@@ -10,6 +10,7 @@
 #include <QWindow>
 
 #include "fake_robot.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"
 

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/drawing.h"
 #include "ui/scene/map_scene.h"

@@ -8,6 +8,8 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "session/layer_grids.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"
 

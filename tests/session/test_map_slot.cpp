@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "grids/grid_pyramid.h"
 #include "map/faults.h"
 #include "sentences/problem_sentence.h"
 #include "session/map_slot.h"
@@ -44,7 +45,7 @@ class MapSlotTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    slot_ = std::make_unique<MapSlot>(QString());
+    slot_ = std::make_unique<MapSlot>(QString(), grids::Resources{});
     problems_.clear();
     connect(slot_.get(), &MapSlot::problemFound, this,
             [this](const map::Problem& problem) { problems_ << sentences::sentenceOf(problem); });
@@ -147,7 +148,7 @@ class MapSlotTest : public QObject {
   void averagingReadsThePictureAgain() {
     slot_->show(mapOf("1", pgm(600, 600, 254)));
     QTRY_VERIFY(slot_->phase() == Phase::Ready);
-    slot_->setReduction(grids::Reduction::Average);
+    slot_->setAveraged(true);
     QTRY_VERIFY(slot_->phase() == Phase::Ready && slot_->cells()->reduction() == grids::Reduction::Average);
   }
 
@@ -167,7 +168,7 @@ class MapSlotTest : public QObject {
     QFETCH(int, edge);
     QFETCH(int, files);
     QTemporaryDir folder;
-    MapSlot slot(folder.path());
+    MapSlot slot(folder.path(), {});
     // As a robot whose map changes every second: what is in the folder must not be pushed out.
     for (int version = 1; version <= 3; ++version) {
       map::WholeMap map = mapOf("7", pgm(edge, edge, 100 + version));
@@ -188,7 +189,7 @@ class MapSlotTest : public QObject {
     map::WholeMap map = mapOf("1", std::make_shared<const std::string>(std::move(bytes)));
     map.fingerprint = "content";
     for (const bool damaged : {false, true, false}) {
-      MapSlot slot(folder.path());
+      MapSlot slot(folder.path(), {});
       QStringList problems;
       connect(&slot, &MapSlot::problemFound, this,
               [&](const map::Problem& problem) { problems << sentences::sentenceOf(problem); });
@@ -232,11 +233,11 @@ class MapSlotTest : public QObject {
     map.fingerprint = "content";
     const QString cache = folder.filePath(QStringLiteral("cache"));
     {
-      MapSlot first(cache);
+      MapSlot first(cache, {});
       first.show(map);
       QTRY_VERIFY_WITH_TIMEOUT(first.phase() == Phase::Ready, kPatienceMs);
     }
-    MapSlot slot(cache);
+    MapSlot slot(cache, {});
     slot.show(map);
     QTRY_VERIFY_WITH_TIMEOUT(slot.phase() == Phase::Ready, kPatienceMs);
     QVERIFY(!slot.broken());
@@ -256,7 +257,7 @@ class MapSlotTest : public QObject {
     map.fingerprint = "content";
     std::shared_ptr<const grids::GridPyramid> cells;
     {
-      MapSlot slot(folder.path());
+      MapSlot slot(folder.path(), {});
       slot.show(map);
       QTRY_VERIFY_WITH_TIMEOUT(slot.phase() == Phase::Ready, kPatienceMs);
       cells = slot.cells();

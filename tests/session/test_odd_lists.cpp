@@ -14,6 +14,7 @@
 #include "session/session_options.h"
 #include "session/submaps_complete.h"
 #include "submap/faults.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 
 namespace test_odd_lists {

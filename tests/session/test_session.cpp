@@ -8,6 +8,7 @@
 #include "robot/axbot/faults.h"
 #include "session/faults.h"
 #include "session/session_options.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 
 namespace test_session {

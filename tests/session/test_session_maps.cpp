@@ -4,10 +4,13 @@
 #include <QTimer>
 
 #include "fake_robot.h"
+#include "grids/grid_pyramid.h"
 #include "robot/aimdk/faults.h"
 #include "robot/map_dispatch.h"
 #include "sentences/problem_sentence.h"
+#include "session/layer_grids.h"
 #include "session/session_options.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 
 namespace test_session_maps {

@@ -6,7 +6,10 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "grids/grid_pyramid.h"
+#include "session/layer_grids.h"
 #include "session/session_options.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 
 namespace test_standing_still {

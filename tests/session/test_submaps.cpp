@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "../cells/scratch_files.h"
+#include "cells/cell_texture.h"
 #include "session/submaps.h"
 #include "test_program.h"
 

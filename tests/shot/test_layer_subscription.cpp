@@ -3,6 +3,7 @@
 
 #include "../session/fake_robot.h"
 #include "robot/offers_topics.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "ui/shot/layer_subscription.h"
 

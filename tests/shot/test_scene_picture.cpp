@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "../session/fake_robot.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "ui/shot/picture.h"
 

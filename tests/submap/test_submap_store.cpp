@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "cells/cell_texture.h"
 #include "submap/faults.h"
 #include "submap/submap_store.h"
 #include "test_program.h"

@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "submap/submap_store.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/slam/closures_dock.h"

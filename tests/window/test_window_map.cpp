@@ -11,6 +11,7 @@
 #include <QTreeView>
 #include <QtTest>
 
+#include "submap/submap_store.h"
 #include "test_program.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/export_controller.h"

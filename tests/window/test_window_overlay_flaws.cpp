@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "grids/grid_pyramid.h"
 #include "overlays_desk.h"
 #include "test_program.h"
 #include "ui/overlays/overlay_flaws.h"

@@ -13,6 +13,7 @@
 
 #include "fake_robot.h"
 #include "ink.h"
+#include "session/session_options.h"
 #include "test_program.h"
 #include "text_bag.h"
 #include "ui/plots/plot_selection.h"

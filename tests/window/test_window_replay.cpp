@@ -25,6 +25,7 @@
 #include "robot/files/file_address.h"
 #include "robot/recorded/recorded_robot.h"
 #include "simulator/simulator.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/plots/messages_dock.h"

@@ -8,6 +8,7 @@
 
 #include "fake_robot.h"
 #include "session/session_options.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 #include "ui/slam/submap_tree_model.h"
 

@@ -692,7 +692,7 @@ void MapScene::applyReduction() {
   if (!session_) return;
   const bool average = WholeMapChoice(layerStyle(Layer::WholeMap).choice) == WholeMapChoice::Average;
   for (session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
-    slot->setReduction(average ? grids::Reduction::Average : grids::Reduction::OccupiedWins);
+    slot->setAveraged(average);
   }
 }
 
