@@ -45,7 +45,7 @@ std::optional<QString> notComparedReason(const CompareArguments& args) {
   if (!(args.allowed.max_differing_percent >= 0 && args.allowed.max_differing_percent <= 100))
     return Text::tr("--max-differing must be a percentage from 0 to 100.");
   if (args.diff.empty()) return std::nullopt;
-  if (const auto why = notWritableReason(text(args.diff))) return why;
+  if (const auto why = pngNotWritableReason(text(args.diff))) return why;
   for (const std::string& read : {args.expected, args.actual, args.allowed.mask}) {
     if (const auto why = notTogetherReason({text(args.diff), text(read)})) return why;
   }

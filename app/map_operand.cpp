@@ -96,6 +96,15 @@ CommandResult<RobotReading*> openPlaced(RobotCommand& command, const MapOperand&
   return connectTo(command, operand, place, purpose);
 }
 
+std::optional<QString> robotWithoutEffectReason(const std::vector<std::string>& typed, const QString& robot) {
+  if (robot.isEmpty() || robot == qEnvironmentVariable("MAPWRIGHT_ROBOT")) return std::nullopt;
+  for (const std::string& word : typed) {
+    const auto operand = mapOperand(text(word), robot);
+    if (!operand || operand->address == robot) return std::nullopt;
+  }
+  return Text::tr("--robot %1 has no effect: neither map is one of its maps. Leave it out.").arg(robot);
+}
+
 CommandResult<OpenedMaps> openMaps(RobotCommand& command, const std::vector<std::string>& typed,
                                    const QString& robot, const PicturePlace& place, const BeforeMap& before) {
   std::vector<MapOperand> operands;

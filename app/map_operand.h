@@ -29,6 +29,8 @@ struct OpenedMaps {
   std::vector<render::PlacedGrid> maps;
   std::vector<std::string> source_files;  // on this computer
 };
+/// Why --robot would have no effect on these words; what the environment says needs no effect.
+std::optional<QString> robotWithoutEffectReason(const std::vector<std::string>& typed, const QString& robot);
 /// Called with what is connected, before its map is read: afterwards nothing else can be asked. The index is
 /// 0 for the first map.
 using BeforeMap =

@@ -379,10 +379,12 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
 CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   const QString printed = args.json ? QStringLiteral("-") : QString();
   const auto unavailable_reason =
-      args.diff_picture.empty() ? std::nullopt : notWritableReason(text(args.diff_picture));
+      args.diff_picture.empty() ? std::nullopt : pngNotWritableReason(text(args.diff_picture));
   if (unavailable_reason) return wrong(*unavailable_reason);
   if (const auto why = notTogetherReason({text(args.diff_picture), text(args.report), printed}))
     return sharedOutput(*why);
+  if (const auto why = robotWithoutEffectReason({args.first, args.second}, text(args.robot)))
+    return wrong(*why);
   const PicturePlace place{args.resolution, args.origin};
   const auto pair = openMaps(command, {args.first, args.second}, text(args.robot), place);
   if (!pair) return passOn(pair);

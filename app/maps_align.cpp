@@ -123,12 +123,14 @@ void printAlignment(const align::Alignment& found, std::optional<double> coarse_
 
 CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) {
   const QString picture = text(args.diff_picture), printed = args.json ? QStringLiteral("-") : QString();
-  if (const auto why = picture.isEmpty() ? std::nullopt : notWritableReason(picture)) return wrong(*why);
+  if (const auto why = picture.isEmpty() ? std::nullopt : pngNotWritableReason(picture)) return wrong(*why);
   if (const auto why = notTogetherReason({picture, text(args.report), printed})) return sharedOutput(*why);
   align::Options options;
   const auto pairs = pairsFrom(args.pairs);
   if (!pairs) return wrong(pairs.error());
   options.pairs = *pairs;
+  if (const auto why = robotWithoutEffectReason({args.first, args.second}, text(args.robot)))
+    return wrong(*why);
   const auto pair =
       openMaps(command, {args.first, args.second}, text(args.robot), {args.resolution, args.origin});
   if (!pair) return passOn(pair);

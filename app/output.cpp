@@ -71,6 +71,16 @@ std::optional<QString> notWritableReason(const QString& path) {
       .arg(path, folder.filePath());
 }
 
+std::optional<QString> pngNotWritableReason(const QString& path) {
+  static const QStringList kOthers{QStringLiteral("jpg"),  QStringLiteral("jpeg"), QStringLiteral("bmp"),
+                                   QStringLiteral("gif"),  QStringLiteral("tif"),  QStringLiteral("tiff"),
+                                   QStringLiteral("webp"), QStringLiteral("svg"),  QStringLiteral("pgm"),
+                                   QStringLiteral("ppm"),  QStringLiteral("pdf")};
+  if (kOthers.contains(QFileInfo(path).suffix().toLower()))
+    return Text::tr("%1: only PNG is written here. Choose a name that ends in .png.").arg(path);
+  return notWritableReason(path);
+}
+
 std::optional<QString> notTogetherReason(const QStringList& outputs) {
   for (qsizetype i = 0; i < outputs.size(); ++i) {
     for (qsizetype j = i + 1; j < outputs.size(); ++j) {

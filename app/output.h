@@ -58,6 +58,8 @@ bool isStandardOutput(const QString& path);
 bool isStream(const QString& path);
 /// A sentence if it is clear beforehand that nothing can be written there.
 std::optional<QString> notWritableReason(const QString& path);
+/// The same for a PNG, which is not written under the name of another kind of picture.
+std::optional<QString> pngNotWritableReason(const QString& path);
 /// A sentence if two of them are the same file. Devices may be used twice; empty paths are ignored.
 std::optional<QString> notTogetherReason(const QStringList& outputs);
 /// A sentence if one of `outputs` is a file that was read, through any path or link.

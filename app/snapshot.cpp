@@ -425,10 +425,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
       return layer != ui::scene::Layer::Submaps && layer != ui::scene::Layer::WholeMap;
     });
   }
-  for (const QString& path : {options.output, options.report}) {
-    if (path.isEmpty()) continue;
-    if (const auto why = notWritableReason(path)) return wrong(*why);
-  }
+  if (const auto why = options.output.isEmpty() ? std::nullopt : pngNotWritableReason(options.output))
+    return wrong(*why);
+  if (const auto why = options.report.isEmpty() ? std::nullopt : notWritableReason(options.report))
+    return wrong(*why);
   const QString printed = options.json && !isStandardOutput(options.report) ? QStringLiteral("-") : QString();
   if (const auto why = notTogetherReason({options.output, options.report, printed})) return wrong(*why);
   return options;

@@ -89,6 +89,19 @@ class NewMapTest : public QObject {
     QCOMPARE(run(QStringLiteral("waypoints import points.geojson --robot before.yaml")).code, 0);
   }
 
+  void whatWouldHaveNoEffectIsRefused() {
+    for (const char* const command : {"maps align", "maps diff"}) {
+      const tests::Ended robot =
+          run(QLatin1String(command) + QStringLiteral(" before.yaml after.yaml --robot demo:"));
+      QVERIFY2(robot.code == 2 && robot.err.contains("--robot demo: has no effect"), robot.err.constData());
+      const tests::Ended name =
+          run(QLatin1String(command) + QStringLiteral(" before.yaml after.yaml --diff d.jpg"));
+      QVERIFY2(name.code == 2 && name.err.contains("ends in .png"), name.err.constData());
+    }
+    const tests::Ended picture = run(QStringLiteral("snapshot --robot before.yaml --size 64x64 -o p.jpg"));
+    QVERIFY2(picture.code == 2 && picture.err.contains("ends in .png"), picture.err.constData());
+  }
+
   void aMapOfTheSameSiteIsFound() {
     const tests::Ended found = run(QStringLiteral("maps align before.yaml after.yaml --json --diff d.png"));
     QVERIFY2(found.code == 0, qPrintable(found.err + found.out));
