@@ -93,13 +93,15 @@ class NewMapTest : public QObject {
     for (const char* const command : {"maps align", "maps diff"}) {
       const tests::Ended robot =
           run(QLatin1String(command) + QStringLiteral(" before.yaml after.yaml --robot demo:"));
-      QVERIFY2(robot.code == 2 && robot.err.contains("--robot demo: has no effect"), robot.err.constData());
+      QVERIFY2(robot.code == 2 && robot.err.contains(QLatin1String("--robot demo: has no effect")),
+               qPrintable(robot.err));
       const tests::Ended name =
           run(QLatin1String(command) + QStringLiteral(" before.yaml after.yaml --diff d.jpg"));
-      QVERIFY2(name.code == 2 && name.err.contains("ends in .png"), name.err.constData());
+      QVERIFY2(name.code == 2 && name.err.contains(QLatin1String("ends in .png")), qPrintable(name.err));
     }
     const tests::Ended picture = run(QStringLiteral("snapshot --robot before.yaml --size 64x64 -o p.jpg"));
-    QVERIFY2(picture.code == 2 && picture.err.contains("ends in .png"), picture.err.constData());
+    QVERIFY2(picture.code == 2 && picture.err.contains(QLatin1String("ends in .png")),
+             qPrintable(picture.err));
   }
 
   void aMapOfTheSameSiteIsFound() {
