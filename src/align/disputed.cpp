@@ -89,8 +89,12 @@ Disputed disputedBetween(const Sheets& sheets, const Points& points, const Laid&
 
 bool refutesSecond(const Disputed& disputed) {
   constexpr double kEnough_m = 4, kElsewhere_m = 1, kAgainst = 0.25;
+  // Goods that changed between racks or beds that are alike speak for some wrong place by chance. Long walls
+  // outweigh them.
+  constexpr double kLong_m = 20, kAgainstLong = 0.4;
+  const double against = disputed.for_first_m >= kLong_m ? kAgainstLong : kAgainst;
   return disputed.for_first_m >= kEnough_m && disputed.elsewhere_m >= kElsewhere_m &&
-         disputed.for_second_m <= kAgainst * disputed.for_first_m;
+         disputed.for_second_m <= against * disputed.for_first_m;
 }
 
 }  // namespace mapwright::align

@@ -1,6 +1,8 @@
 // Two maps of one site are brought together, or it is said that this is not sure: never both wrong and sure.
 // MAPWRIGHT_TEST_SEEDS asks for more random sites, MAPWRIGHT_TEST_MAPS for real ones (pictures of 5 cm a
 // cell, separated by colons); the counts are printed (docs/measured.md).
+#include <array>
+
 #include <QtTest>
 
 #include "align/align.h"
@@ -173,6 +175,46 @@ Plan suites(int count) {
   return plan;
 }
 
+/// A hall of 30 m x 22 m with rows of racks, in some of them goods. An office in a corner and columns at a
+/// wall tell its ends apart.
+struct Warehouse {
+  static constexpr int kRows = 5, kBays = 7, kBay = 56, kRow = 80;  // cells
+  std::array<bool, std::size_t(kRows* kBays)> goods{};
+
+  explicit Warehouse(Chance& chance) { put(chance, 1); }
+  /// Looks anew whether goods are in a bay, in that share of the bays.
+  void put(Chance& chance, double share) {
+    for (bool& bay : goods) {
+      if (chance.happens(share)) bay = chance.happens(0.8);
+    }
+  }
+  Plan plan(bool ends) const {
+    Plan plan;
+    plan.width = 600;
+    plan.height = 440;
+    plan.resolution_m = 0.05;
+    plan.cells.assign(std::size_t(plan.width) * std::size_t(plan.height), Ground::Wall);
+    fill(plan, 2, 2, plan.width - 3, plan.height - 3, Ground::Free);
+    if (ends) {
+      fill(plan, 2, 370, 80, 371, Ground::Wall);
+      fill(plan, 80, 370, 81, 437, Ground::Wall);
+      fill(plan, 30, 370, 48, 371, Ground::Free);
+      for (const int column : {130, 220, 330}) fill(plan, column, 2, column + 10, 16, Ground::Wall);
+    }
+    for (int row = 0; row < kRows; ++row) {
+      const int middle = 60 + row * kRow;
+      for (int bay = 0; bay <= kBays; ++bay) {
+        const int left = 104 + bay * kBay;
+        for (const int leg : {middle - 11, middle + 10})
+          fill(plan, left - 1, leg, left + 1, leg + 1, Ground::Wall);
+        if (bay < kBays && goods[std::size_t(row * kBays + bay)])
+          fill(plan, left + 6, middle - 10, left + kBay - 7, middle + 10, Ground::Wall);
+      }
+    }
+    return plan;
+  }
+};
+
 /// A small site whose halves look alike after half a turn, and where it really lies.
 struct TwoWays {
   Plan site, again;
@@ -308,6 +350,23 @@ class TestAlignment : public QObject {
     fill(last, 0, 0, 3 * kSuite - 20, last.height, Ground::Unknown);
     fill(last, 7 * kSuite - 20, 0, last.width, last.height, Ground::Unknown);
     QCOMPARE(align::alignPlans(first, mappedAgain(last, truth, 0.05))->doubt, Doubt::Ambiguous);
+  }
+
+  void otherGoodsInAWarehouseDoNotHideItsEnds() {
+    Chance chance(7);
+    Warehouse site(chance);
+    const Pose2 truth{-11, 4, 2.1};
+    const auto mapped = [&](bool ends) { return noisy(site.plan(ends), chance, 0.1, 0.001); };
+    const Plan before = mapped(true);
+    site.put(chance, 0.15);
+    const Alignment found = *align::alignPlans(before, mappedAgain(mapped(true), truth, 0.05));
+    QVERIFY(found.second->score > 0.7 * found.best->score);
+    QCOMPARE(found.doubt, Doubt::None);
+    QVERIFY(right(found.best->transform, truth, before));
+    // With neither its ends nor its goods nothing tells.
+    const Plan alike = mapped(false);
+    site.put(chance, 1);
+    QVERIFY(!align::alignPlans(alike, mappedAgain(mapped(false), truth, 0.05))->sure());
   }
 
   void aBentMapIsNotSure_data() {
