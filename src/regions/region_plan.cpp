@@ -8,7 +8,7 @@
 namespace mapwright::regions {
 namespace {
 
-static_assert(PlanOptions{}.region_cells == RegionSheet::kStep, "whole tiles of a sheet");
+static_assert(PlanOptions{}.region_cells == RegionSheet::kStep);  // whole tiles of a sheet
 
 constexpr double kFiner = 0.75, kCoarser = 1.5;  // relative cell size that causes a new layout
 constexpr int kMostDoublings = 10;
