@@ -283,7 +283,7 @@ class OtherRobotsTest : public QObject {
     robot.answers["/ros/slam/submaps/u/0/0"] = robot.answers["/ros/slam/submaps/u/0/1"] = no;
     for (const char* command : {"maps export submaps --force -o e.png", "snapshot --mode submaps -o p.png"}) {
       const Outcome outcome =
-          run(QLatin1String(command) + QStringLiteral(" --timeout 4 --robot ") + axbot(robot.url()));
+          run(QLatin1String(command) + QStringLiteral(" --timeout 8 --robot ") + axbot(robot.url()));
       QVERIFY2(outcome.code == 3, qPrintable(QLatin1String(command) + outcome.err));
       QVERIFY2(outcome.err.contains(QString::number(status)), qPrintable(outcome.err));
     }

@@ -206,10 +206,9 @@ class OutputsTest : public QObject {
          {"maps export --robot map.yaml -o map.yaml", "maps export --robot map.yaml -o map.pgm",
           "maps export --robot map.yaml -o link.yaml", "maps export --robot map.yaml -o hard.pgm",
           "maps export --robot map.pgm --resolution 0.05 -o map.pgm",
-          "maps export map.yaml --robot . -o map.yaml", "snapshot --robot map.yaml --size 64x64 -o map.pgm",
-          "snapshot --robot map.yaml --size 64x64 --raw -o hard.pgm",
-          "maps diff map.yaml other.yaml --diff other.pgm",
-          "maps diff map.yaml other.yaml --diff map.yaml"}) {
+          "maps export map.yaml --robot . -o map.yaml", "snapshot --robot map.yaml --size 64x64 -o hard.png",
+          "snapshot --robot map.yaml --size 64x64 --raw -o hard.png",
+          "maps diff other.yaml map.yaml --diff hard.png", "maps diff map.yaml other.yaml --diff map.yaml"}) {
       QTest::newRow(line) << QString::fromLatin1(line);
     }
   }
@@ -220,6 +219,8 @@ class OutputsTest : public QObject {
     QVERIFY(QFile::link(at("map.yaml"), at("link.yaml")));
     QVERIFY(::link(QFile::encodeName(at("map.pgm")).constData(),
                    QFile::encodeName(at("hard.pgm")).constData()) == 0);
+    QVERIFY(::link(QFile::encodeName(at("map.pgm")).constData(),
+                   QFile::encodeName(at("hard.png")).constData()) == 0);
     const QByteArray yaml = read(at("map.yaml")), pgm = read(at("map.pgm"));
     const Outcome refused = run(line.split(QLatin1Char(' ')));
     QCOMPARE(refused.code, 2);
