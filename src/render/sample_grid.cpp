@@ -17,7 +17,9 @@ static_assert(1 << kEdgeBits == GridPyramid::kTileEdge);
 constexpr int kMostTiles = 4096;  // of one window: far more than any view tile touches
 constexpr int kBlock = 16;        // pixels
 constexpr double kUpright = 1e-9;
-constexpr double kNoLarger = 1 + 1e-9;  // cells a pixel
+// Cells a pixel. 0.05 m as a float is a hair more than 0.05: no reason to touch two cells with each pixel,
+// and to draw every wall half a cell off.
+constexpr double kNoLarger = 1 + 1e-6;
 
 bool stopped(const std::atomic<bool>* cancelled) {
   return cancelled && cancelled->load(std::memory_order_relaxed);

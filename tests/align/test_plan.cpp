@@ -53,6 +53,12 @@ class TestPlan : public QObject {
     QVERIFY(plan.centreOf(0, 0).isApprox(Eigen::Vector2d(2.025, 3.025)));
   }
 
+  void aHairDoesNotPutAWallIntoTwoCells() {
+    std::vector<std::string> rows{std::string(400, '.'), std::string(400, '.')};
+    for (std::size_t column = 10; column < 400; column += 10) rows[column / 10 % 2][column] = '#';
+    QCOMPARE(rowsOf(*align::planOf(gridOf(rows, 0.05, {2, 3, 0}), double(0.05F))), rows);
+  }
+
   void aWallWinsInALargerCell() {
     const std::vector<std::string> rows{"#...", "....", "..  ", "..  "};
     QCOMPARE(rowsOf(*align::planOf(gridOf(rows, 0.05, {}), 0.1)), (std::vector<std::string>{"#.", ". "}));
