@@ -220,7 +220,7 @@ std::optional<CommandFailure> unusable(const CarryArguments& args) {
     return wrong(Text::tr("Pass -o F.geojson to write what is carried over, or --dry-run to look only."))
         .value();
   const QString suffix = QFileInfo(output).suffix().toLower();
-  if (!output.isEmpty() && !isStandardOutput(output) && suffix != QLatin1String("geojson") &&
+  if (!output.isEmpty() && !isStream(output) && suffix != QLatin1String("geojson") &&
       suffix != QLatin1String("json"))
     return wrong(Text::tr("--output %1: what is written is GeoJSON. Name it NAME.geojson.")
                      .arg(oneLine(output)))
@@ -279,7 +279,8 @@ CommandResult<int> waypointsCarry(RobotCommand& command, const CarryArguments& a
     auto list = listWaypoints(robot, id.toStdString(), Use::Reading);
     if (!list) return std::optional(list.error());
     for (const map::Waypoint& point : list->stored.points) {
-      if (index == 1) there.insert(point.name);
+      // Those without a name are not one and the same.
+      if (index == 1 && !point.name.empty()) there.insert(point.name);
     }
     if (index == 0) points = std::move(list->stored.points);
     return std::optional<CommandFailure>();
