@@ -5,9 +5,12 @@
 #include <map>
 
 #include <CLI/CLI.hpp>
+#include <QFileInfo>
 
 #include "app/command_text.h"
 #include "app/output.h"
+#include "app/robot_factory.h"
+#include "jobs/export_map.h"
 
 namespace mapwright::app {
 
@@ -38,7 +41,17 @@ std::optional<QString> noReportThereReason(const CLI::App& command) {
     if (option != report && option->get_name() != "--output" && option->get_name() != "--diff")
       words.insert(words.end(), option->results().begin(), option->results().end());
   }
-  return reportOverSource(QString::fromStdString(report->results().back()), words);
+  // Also the picture, waypoints and overlays of a map, which nobody types.
+  const QString path = QString::fromStdString(report->results().back());
+  for (std::size_t i = 0, typed = words.size(); i < typed; ++i) {
+    const QString word = QString::fromStdString(words[i]);
+    if (!QFileInfo(word).isFile()) continue;
+    for (std::string& file : sourceFilesOf(word, {}, {})) words.push_back(std::move(file));
+  }
+  for (const QString& yaml : yamlsNaming(path)) {
+    if (!jobs::firstOwnSource({yaml}, words).isEmpty()) words.push_back(path.toStdString());
+  }
+  return reportOverSource(path, words);
 }
 
 }  // namespace

@@ -184,6 +184,17 @@ class NewMapTest : public QObject {
     QVERIFY(again.object()[QLatin1String("items")][0][QLatin1String("there_already")].toBool());
   }
 
+  void waypointsWithoutANameAreNotOneAndTheSame() {
+    const Eigen::Vector2d there = kTruth.apply(dock_ + Eigen::Vector2d(1, 0));
+    program_->put("before.waypoints.geojson",
+                  R"({"type":"FeatureCollection","features":[)" + waypoint("", dock_.x(), dock_.y()) + "]}");
+    program_->put("after.waypoints.geojson",
+                  R"({"type":"FeatureCollection","features":[)" + waypoint("", there.x(), there.y()) + "]}");
+    QCOMPARE(run(QStringLiteral("waypoints carry --from before.yaml --to after.yaml -o w.geojson")).code, 0);
+    QCOMPARE(run(QStringLiteral("waypoints import w.geojson --robot after.yaml")).code, 0);
+    QCOMPARE(run(QStringLiteral("waypoints list --robot after.yaml --json")).array().size(), 2);
+  }
+
   void overlaysAreCarriedOverAndSet() {
     program_->put("before.overlays.geojson",
                   "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"id\":\"w\","
@@ -326,6 +337,24 @@ class NewMapTest : public QObject {
     QVERIFY2(ended.out.contains(QLatin1String("because they are no numbers: 1.")), qPrintable(ended.out));
     program_->put("nothing.csv", "stamp_s,x_m,y_m\n1002,nan,3\n");
     QCOMPARE(run(QStringLiteral("maps rehearse old.yaml nothing.csv")).code, 2);
+  }
+
+  void noReportReplacesWhatWouldHaveBeenRead_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* file : {"before.yaml", "before.pgm", "before.waypoints.geojson", "after.pgm",
+                             "after.overlays.geojson", "after.waypoints.geojson"})
+      QTest::newRow(file) << QString::fromLatin1(file);
+  }
+  void noReportReplacesWhatWouldHaveBeenRead() {
+    QFETCH(QString, file);
+    const QByteArray name = file.toUtf8();
+    if (!QFile::exists(program_->path(name.constData()))) program_->put(name.constData(), "{}");
+    const QByteArray before = program_->bytes(name.constData());
+    const tests::Ended ended = run(
+        QStringLiteral("waypoints carry --from before.yaml --to after.yaml --dry-run --pair none --report ") +
+        file);
+    QCOMPARE(ended.code, 2);
+    QCOMPARE(program_->bytes(name.constData()), before);
   }
 
   void whatContradictsItselfIsRefused_data() {
