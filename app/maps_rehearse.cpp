@@ -289,7 +289,7 @@ std::optional<QString> writeRehearsalPage(const RehearseArguments& args, const R
 
 CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& args) {
   const QString output = text(args.output), printed = args.json ? QStringLiteral("-") : QString();
-  if (const auto why = output.isEmpty() ? std::nullopt : notCreatedReason(output, args.force))
+  if (const auto why = output.isEmpty() ? std::nullopt : notCreatedReason(output, args.force, args.ways))
     return wrong(*why);
   if (const auto why = args.page.empty() ? std::nullopt : notWritableReason(text(args.page)))
     return wrong(*why);
@@ -307,9 +307,9 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
   }
   const auto site = openRehearsal(command, args);
   if (!site) return passOn(site);
-  std::vector<std::string> sources = site->opened.source_files;
-  sources.insert(sources.end(), args.ways.begin(), args.ways.end());
-  if (const auto why = overOwnSource({output, text(args.page)}, sources)) return wrong(*why);
+  if (const auto why = overOwnSource({output, text(args.page)}, site->opened.source_files);
+      why && !args.force)
+    return wrong(*why);
   const carry::Rehearsal rehearsal(site->opened.maps.back(), site->options);
   std::vector<RehearsedWay> ways;
   for (std::size_t i = 0; i < driven.size(); ++i) ways.push_back({args.ways[i], rehearsal.of(driven[i])});
