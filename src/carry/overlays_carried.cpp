@@ -90,10 +90,12 @@ std::vector<CarriedFeature> carriedOverlays(const Site& site, const OverlayDocum
   std::vector<std::size_t> at_of(old_overlays.features().size(), old_overlays.features().size());
   for (std::size_t i = 0; i < old_overlays.features().size(); ++i) {
     const Feature& feature = old_overlays.features()[i];
+    const overlays::Shapes shapes = overlays::shapesOf(feature);
     std::vector<Eigen::Vector2d> points;
-    for (const overlays::Path& path : overlays::shapesOf(feature).paths)
+    for (const overlays::Path& path : shapes.paths)
       points.insert(points.end(), path.points.begin(), path.points.end());
-    if (points.empty()) continue;
+    // A corner that is no place would stay where it is while the others move.
+    if (points.empty() || shapes.bad) continue;
     Carried carried;
     if (overlays::isDestination(feature)) {
       carried = site.carriedStop({points.front()}, options);

@@ -133,6 +133,13 @@ class TestOverlaysCarried : public QObject {
     QCOMPARE(all.size(), std::size_t(1));
     QCOMPARE(all[0].feature, std::size_t(1));
   }
+
+  void whatCannotMoveAsAWholeIsLeftOut() {
+    const std::string half = feature("", "LineString", "[[2,7],[NaN,8],[4,8]]", R"({"lineType":"2"})");
+    const auto all = carriedTo({}, documentOf({half, kDock}));
+    QCOMPARE(all.size(), std::size_t(1));
+    QCOMPARE(all[0].feature, std::size_t(1));
+  }
 };
 
 }  // namespace test_overlays_carried

@@ -93,7 +93,8 @@ void Carrying::start(CarryRun::Job job) {
   run_.start(looked_at_->laid.map, looked_at_->map, looked_at_->laid.pose, std::move(job));
 }
 
-void Carrying::setRows(std::vector<CarryRow> rows) {
+void Carrying::setRows(std::vector<CarryRow> rows, const QString& besides) {
+  besides_ = besides;
   // Those without an id are named by their place in the list.
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].id.empty()) rows[i].id = "#" + std::to_string(i);
@@ -142,6 +143,7 @@ void Carrying::show() {
   CarryShown shown{.said = said_, .editable = editable()};
   if (looked_at_ && !any) shown.said = words_.looking;
   if (any) shown.said = carrySumText(rows());
+  if (any && !besides_.isEmpty()) shown.said += QStringLiteral(". ") + besides_;
   if (any && changed)
     shown.said = tr("The map on screen has changed since then. As it was: %1").arg(shown.said);
   if (shown.said.isEmpty()) shown.said = words_.hint;

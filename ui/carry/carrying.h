@@ -82,8 +82,8 @@ class Carrying : public QObject {
   const std::optional<Subject>& lookedAt() const { return looked_at_; }
   bool adjusts() const;
   void start(CarryRun::Job job);
-  /// What it found.
-  void setRows(std::vector<CarryRow> rows);
+  /// What it found. `besides` is said after the sum.
+  void setRows(std::vector<CarryRow> rows, const QString& besides = {});
   void giveUp(const QString& said);
 
   WindowContext& context_;
@@ -107,6 +107,7 @@ class Carrying : public QObject {
   std::set<std::string> left_out_;  // by hand: the ids of rows
   int turn_ = 0;                    // answers of earlier ones are of no use
   QString said_;                    // instead of the sum
+  QString besides_;                 // after it
   CarryRun run_;                    // last
 };
 

@@ -88,7 +88,11 @@ void OverlayCarrying::startIfOpen() {
 
 void OverlayCarrying::onFound(std::vector<carry::CarriedFeature> found,
                               const overlays::OverlayDocument& old_overlays) {
-  if (found.empty()) return giveUp(tr("The reference map has no overlays."));
+  const auto unusable = qsizetype(old_overlays.features().size() - found.size());
+  const QString left_out =
+      unusable == 0 ? QString()
+                    : tr("Left out, because coordinates cannot be used: %1.").arg(featuresText(unusable));
+  if (found.empty()) return giveUp(unusable == 0 ? tr("The reference map has no overlays.") : left_out);
   std::map<std::size_t, int> row_of;  // of the old document
   for (std::size_t i = 0; i < found.size(); ++i) row_of[found[i].feature] = int(i);
   std::vector<CarryRow> rows;
@@ -99,7 +103,7 @@ void OverlayCarrying::onFound(std::vector<carry::CarriedFeature> found,
     rows.push_back(std::move(row));
   }
   found_ = std::move(found);
-  setRows(std::move(rows));
+  setRows(std::move(rows), left_out);
 }
 
 const overlays::Feature* OverlayCarrying::placed(int row) const {
