@@ -332,14 +332,17 @@ class TestWindowCarry : public QObject {
       bench.window->session()->openMap({map::MapKind::Stored, "1"});
       QTRY_VERIFY(whole.cells() && whole.cells() != before && whole.settled());
     };
-    const QString said = bench.carry().said();
+    const QString said = bench.carry().said(), aligned = bench.reference_dock().alignmentSaid();
     read_again();
     QCOMPARE(bench.carry().said(), said);
+    QCOMPARE(bench.reference_dock().alignmentSaid(), aligned);
     QVERIFY(!bench.carry().againButton()->isVisible());
     bench.robot->maps.pictures["1"].fingerprint = "otherwise";
     read_again();
-    QVERIFY(bench.carry().said().startsWith(QLatin1String("The map on screen has changed since then.")));
+    const QLatin1String changed("The map on screen has changed since then.");
+    QVERIFY(bench.carry().said().startsWith(changed));
     QVERIFY(bench.carry().againButton()->isVisible());
+    QVERIFY(bench.reference_dock().alignmentSaid().startsWith(changed));
   }
 
   void isAdjustedToTheWallsNearby() {

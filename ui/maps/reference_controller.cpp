@@ -462,10 +462,10 @@ std::optional<ReferenceController::Aligned> ReferenceController::alignable(bool 
   if (!session || !slot_.cells()) return std::nullopt;
   const render::PlacedGrid reference{slot_.cells(), slot_.reference()};
   const session::MapSlot& whole = session->wholeMap();
-  if (submaps) return Aligned{reference, std::nullopt, {}, laid_.pairs};
+  if (submaps) return Aligned{reference, std::nullopt, {}, laid_.pairs, {}};
   if (!whole.cells()) return std::nullopt;
   return Aligned{reference, render::PlacedGrid{whole.cells(), whole.reference()}, whole.shown().key,
-                 laid_.pairs};
+                 laid_.pairs, whole.shown().fingerprint};
 }
 
 bool ReferenceController::showsSubmaps() const {
@@ -565,7 +565,7 @@ void ReferenceController::showAlignment() {
     shown.said = as_found || shown.second_laid ? align::alignmentText(*found_)
                                                : tr("The reference map was moved since it was aligned.");
     const auto now = alignable(!aligned_->map);
-    if (aligned_->map ? now && !(now->map == aligned_->map) : submaps_changed_)
+    if (aligned_->map ? now && !now->sameCells(*aligned_) : submaps_changed_)
       shown.said = tr("The map on screen has changed since then. As it was: %1").arg(shown.said);
     QStringList figures;
     if (shown.offers) {

@@ -78,6 +78,12 @@ class ReferenceController : public Controller {
     std::optional<render::PlacedGrid> map;  // nullopt: the submaps
     map::MapKey map_key;
     std::vector<placing::PointPair> pairs;
+    std::string content;  // of the map on screen: names exactly these cells; empty: not known
+    /// A file is read again when anything beside it is saved.
+    bool sameCells(const Aligned& other) const {
+      return map == other.map || (map && other.map && !content.empty() && content == other.content &&
+                                  map->reference == other.map->reference);
+    }
     /// It still is, although the map on screen may have changed.
     bool sameAs(const Aligned& other) const {
       return reference == other.reference && map_key == other.map_key && pairs == other.pairs;
