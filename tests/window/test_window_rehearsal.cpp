@@ -144,6 +144,19 @@ class TestWindowRehearsal : public QObject {
     QVERIFY(bench.way_dock().said().startsWith(QLatin1String("way.csv: ")));
   }
 
+  void aRecordingWithoutAnEndIsSaid() {
+    RehearsalBench bench;
+    bench.bag = &bench.one;
+    bench.one.interrupted = true;
+    for (int i = 0; i <= 5; ++i)
+      bench.one.add(1'717'405'200 + i * 0.2, map::TrackedPose{{7 + i * 0.1, 6, 0}});
+    bench.openHall();
+    bench.rehearsal().rehearse(bench.folder.filePath(QStringLiteral("run.mcap")));
+    bench.waitForWay();
+    QVERIFY2(bench.way_dock().said().contains(QLatin1String("Its end is missing")),
+             qPrintable(bench.way_dock().said()));
+  }
+
   void whatIsNoWayIsSaid() {
     RehearsalBench bench;
     bench.openHall();

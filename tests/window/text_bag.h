@@ -23,6 +23,7 @@ class TextBag : public QObject, public robot::BagLibrary {
  public:
   std::vector<Recorded> recorded;  // by stamp
   int asked = 0;                   // ranges
+  bool interrupted = false;        // says BagInfo
 
   void add(double stamp_s, const std::string& topic, const std::string& json) {
     recorded.push_back({stamp_s, topic, json, map::UnreadableMessage{}, false});
@@ -37,7 +38,7 @@ class TextBag : public QObject, public robot::BagLibrary {
         this,
         [this, reply] {
           reply(robot::BagInfo{std::int64_t(recorded.size()), recorded.front().stamp_s,
-                               recorded.back().stamp_s});
+                               recorded.back().stamp_s, interrupted});
         },
         Qt::QueuedConnection);
     return {};

@@ -133,6 +133,7 @@ void RehearsalController::choose() {
 
 void RehearsalController::rehearse(const QString& path) {
   path_ = path;
+  lost_.clear();
   const session::Session* const session = context_.current.session();
   if (!session || !session->wholeMap().cells()) return forget(tr("There is no whole map on screen."));
   if (!session->wholeMap().settled()) return forget(tr("The map on screen is still being read."));
@@ -160,11 +161,17 @@ void RehearsalController::readRecording(const QString& path) {
       if (*over) return;
       if (ended.not_read) return forget(QString::fromStdString(sentences::sentenceOf(*ended.not_read)));
       if (ended.not_written) return forget(sentences::sentenceOf(*ended.not_written));
+      if (lost_.isEmpty() && !ended.holes.empty()) lost_ = tr("Parts of the recording cannot be read.");
       if (ended.written) run(folder_.filePath(QStringLiteral("way.csv")));
     };
     // Queued: it may be deleted then.
     connect(job_.get(), &excerpt::ExcerptJob::ended, this, onEnded, Qt::QueuedConnection);
-    job_->start();
+    library->info(rows->front().key, [this, over](const robot::Outcome<robot::BagInfo>& info) {
+      if (*over) return;
+      if (info && info->interrupted)
+        lost_ = tr("Its end is missing: the recording was interrupted, or is still going on.");
+      job_->start();
+    });
   });
 }
 
@@ -203,10 +210,11 @@ void RehearsalController::onRehearsed(const carry::Rehearsed& way) {
   line_->show(way.stretches);
   dock_->setStretches(crossed_, context_.scene.theme());
   const QString name = words::plainName(QFileInfo(path_).fileName());
-  dock_->setSaid(
-      QStringLiteral("%1: %2 %3")
-          .arg(name, carry::rehearsedText(way),
-               laid_ ? tr("It was moved as the reference map lies.") : tr("It lies as it was recorded.")));
+  const QString lies =
+      laid_ ? tr("It was moved as the reference map lies.") : tr("It lies as it was recorded.");
+  QString said = QStringLiteral("%1: %2 %3").arg(name, carry::rehearsedText(way), lies);
+  if (!lost_.isEmpty()) said += QLatin1Char(' ') + lost_;
+  dock_->setSaid(said);
   geometry::WorldRect all;
   for (const carry::Stretch& stretch : way.stretches) {
     for (const Eigen::Vector2d& at : stretch.line) all.extend(at);

@@ -65,6 +65,7 @@ class RehearsalController : public Controller {
   std::unique_ptr<Line> line_;
   std::optional<LaidMap> laid_;
   QString path_;  // empty = none is chosen
+  QString lost_;  // what its recording lacks; empty = nothing
   std::vector<carry::Stretch> crossed_;
   QTemporaryDir folder_;
   std::unique_ptr<robot::Robot> origin_;  // of the recording
