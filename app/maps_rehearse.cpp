@@ -245,8 +245,8 @@ void printRehearsal(const RehearsalSite& site, const std::vector<RehearsedWay>& 
 }
 
 /// The report for people. nullopt = written.
-std::optional<QString> writeRehearsalPage(const RehearseArguments& args, const RehearsalSite& site,
-                                          const std::vector<RehearsedWay>& ways) {
+std::optional<QString> writeRehearsalPage(const RobotCommand& command, const RehearseArguments& args,
+                                          const RehearsalSite& site, const std::vector<RehearsedWay>& ways) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   {
@@ -257,6 +257,8 @@ std::optional<QString> writeRehearsalPage(const RehearseArguments& args, const R
     if (site.alignment.best)
       facts.push_back({Text::tr("Alignment"), {page::Cell(align::alignmentText(site.alignment))}});
     facts.push_back({Text::tr("Radius"), {page::Cell(Text::tr("%1 m").arg(site.options.radius_m))}});
+    if (!command.complete())
+      facts.push_back({Text::tr("Incomplete"), {page::Cell(command.warnings().join(QLatin1Char('\n')))}});
     page.facts(facts);
     page.section(Text::tr("Ways"));
     page.beginTable({Text::tr("Name"), Text::tr("Result")});
@@ -321,7 +323,7 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
       return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   }
   if (!args.page.empty()) {
-    if (const auto why = writeRehearsalPage(args, *site, ways)) return wrong(*why);
+    if (const auto why = writeRehearsalPage(command, args, *site, ways)) return wrong(*why);
   }
   if (args.json) {
     printJson(json);

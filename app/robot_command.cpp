@@ -441,6 +441,12 @@ bool RobotCommand::complete() const {
   return true;
 }
 
+QStringList RobotCommand::warnings() const {
+  QStringList all;
+  for (const auto& reading : readings_) all += reading->warnings();
+  return all;
+}
+
 int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work) {
   if (const auto why = noTimeoutReason(time_.timeout_s)) return refuse(kUsage, *why);
   const QString robot = words::text(args_.robot);
@@ -473,8 +479,7 @@ int RobotCommand::end(CommandResult<int> result) const {
     if (!result && !reading->unconfirmed().isEmpty())
       result.error().sentence += QLatin1Char(' ') + reading->unconfirmed();
   }
-  QStringList warnings;
-  for (const auto& reading : readings_) warnings += reading->warnings();
+  const QStringList warnings = this->warnings();
   QJsonObject report;
   if (!result) {
     report = failed(result.error().sentence);

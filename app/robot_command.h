@@ -158,6 +158,7 @@ class RobotCommand {
   }
   /// True if everything that was requested could be loaded.
   bool complete() const;
+  QStringList warnings() const;
   CommandTime time() const { return time_; }
 
   /// Of work that connects by itself: from now on a lack of time is no lack of a connection.
