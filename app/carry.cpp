@@ -395,6 +395,9 @@ void addCarry(Commands& commands, CLI::App& parent, CarriedKind kind) {
       help(waypoints ? Text::tr("Write the waypoints, for waypoints import; - is the standard output")
                      : Text::tr("Write the overlays of the new map with those that are carried "
                                 "over, for overlays set; - is the standard output")));
+  command->get_option("--report")
+      ->description(help(
+          Text::tr("Write a report: a page for people if it ends in .html, else JSON with all warnings")));
   addForce(*command, args->force);
   command->add_flag("--all", args->all, help(Text::tr("Also carry over what is not sound")));
   command->add_flag("--dry-run", args->dry_run, help(Text::tr("Only say what would become of each")));

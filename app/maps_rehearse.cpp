@@ -315,7 +315,8 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
   const carry::Rehearsal rehearsal(site->opened.maps.back(), site->options);
   std::vector<RehearsedWay> ways;
   for (std::size_t i = 0; i < driven.size(); ++i) ways.push_back({args.ways[i], rehearsal.of(driven[i])});
-  const QJsonObject json = rehearsalJson(*site, ways);
+  QJsonObject json = rehearsalJson(*site, ways);
+  json[QStringLiteral("complete")] = command.complete();
   command.report(QStringLiteral("rehearsal"), json);
   if (!args.output.empty()) {
     if (const auto trouble =
@@ -373,6 +374,9 @@ void addMapRehearsal(Commands& commands, CLI::App& maps) {
   command->add_option("-o,--output", args->output,
                       help(Text::tr("Write the ways, cut where they meet something, as GeoJSON; - is the "
                                     "standard output")));
+  command->get_option("--report")
+      ->description(help(
+          Text::tr("Write a report: a page for people if it ends in .html, else JSON with all warnings")));
   addForce(*command, args->force);
   command->add_option(
       "--resolution", args->resolution,

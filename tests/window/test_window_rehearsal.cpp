@@ -107,6 +107,28 @@ class TestWindowRehearsal : public QObject {
     QVERIFY(bench.way_dock().said().contains(QLatin1String("as it was recorded")));
   }
 
+  void theSameMapReadAgainLeavesItAndAnotherOneTakesItOff() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.reference()->removeMap();
+    const session::MapSlot& whole = bench.window->session()->wholeMap();
+    const auto read_again = [&] {
+      const auto before = whole.cells();
+      bench.window->session()->openMap({map::MapKind::Stored, "1"});
+      QTRY_VERIFY(whole.cells() && whole.cells() != before && whole.settled());
+    };
+    bench.robot->maps.pictures["1"].fingerprint = "as it is";
+    read_again();
+    bench.rehearsal().rehearse(bench.wayFile(false));
+    bench.waitForWay();
+    read_again();
+    QVERIFY(!bench.rehearsal().shown().empty());
+    bench.robot->maps.pictures["1"].fingerprint = "otherwise";
+    read_again();
+    QVERIFY(bench.rehearsal().shown().empty());
+    QVERIFY(bench.way_dock().said().contains(QLatin1String("Press Again")));
+  }
+
   void aReferenceMapThatMovesTakesItOffAndAgainBringsItBack() {
     RehearsalBench bench;
     bench.openHall();

@@ -111,7 +111,7 @@ RehearsalController::RehearsalController(WindowContext& context, MakeRobot make_
   connect(dock_, &RehearsalDock::placeWanted, this, &RehearsalController::goTo);
   connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] { line_->follow(); });
   connect(&context_.scene, &scene::MapScene::contentChanged, this, [this] {
-    if (!path_.isEmpty()) forget(tr("Another map is on screen now. Press Again."));
+    if (!path_.isEmpty() && !sameCells()) forget(tr("Another map is on screen now. Press Again."));
   });
   forget({});
 }
@@ -122,6 +122,13 @@ RehearsalController::~RehearsalController() {
 }
 
 const std::vector<carry::Stretch>& RehearsalController::shown() const { return line_->stretches(); }
+
+bool RehearsalController::sameCells() const {
+  const session::Session* const session = context_.current.session();
+  if (!session || content_.empty()) return false;
+  const session::MapSlot& whole = session->wholeMap();
+  return whole.cells() && whole.shown().fingerprint == content_ && whole.reference() == reference_;
+}
 
 void RehearsalController::choose() {
   const QString path = QFileDialog::getOpenFileName(
@@ -182,9 +189,11 @@ void RehearsalController::run(const QString& track_file) {
   carry::RehearsalOptions options{.radius_m = told_m > 0 ? told_m : placing::kUsualRadiusM};
   if (laid_) options.transform = laid_->pose, options.old_map = laid_->map;
   const render::PlacedGrid map{session->wholeMap().cells(), session->wholeMap().reference()};
+  content_ = session->wholeMap().shown().fingerprint;
+  reference_ = map.reference;
   share_.startLong([this, cancelled = cancelled_, file = track_file.toStdString(), map, options] {
     // Unless it is cancelled meanwhile.
-    const auto tell = [&](auto what) {
+    const auto post = [&](auto what) {
       QMetaObject::invokeMethod(
           this,
           [cancelled, what = std::move(what)] {
@@ -193,15 +202,15 @@ void RehearsalController::run(const QString& track_file) {
           Qt::QueuedConnection);
     };
     const auto bytes = disk::readFile(file, kMostTrackBytes);
-    if (!bytes) return tell([this, why = bytes.error()] { forget(sentences::wordsOf(why.cause)); });
+    if (!bytes) return post([this, why = bytes.error()] { forget(sentences::wordsOf(why.cause)); });
     const auto track = replay::trackFrom(*bytes);
     if (!track)
-      return tell(
+      return post(
           [this] { forget(tr("This is no track. Choose a recording, or a track that was exported.")); });
     std::vector<carry::WayPoint> way;
     for (const replay::TrackPoint& point : *track)
       way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece});
-    tell([this, found = carry::Rehearsal(map, options).of(way)] { onRehearsed(found); });
+    post([this, found = carry::Rehearsal(map, options).of(way)] { onRehearsed(found); });
   });
 }
 
@@ -226,6 +235,7 @@ void RehearsalController::forget(const QString& said) {
   cancelled_->store(true);
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   job_.reset();
+  content_.clear();
   crossed_.clear();
   line_->show({});
   dock_->setStretches({}, context_.scene.theme());

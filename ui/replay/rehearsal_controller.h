@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <tl/expected.hpp>
 
+#include "map/grid_reference.h"
 #include "robot/robot.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/laid_map.h"
@@ -56,6 +57,8 @@ class RehearsalController : public Controller {
   /// On a thread beside the pool.
   void run(const QString& track_file);
   void onRehearsed(const carry::Rehearsed& way);
+  /// A file is read again when anything beside it is saved: that is no other map.
+  bool sameCells() const;
   void forget(const QString& said);
   void goTo(int row);
 
@@ -64,8 +67,10 @@ class RehearsalController : public Controller {
   RehearsalDock* dock_;
   std::unique_ptr<Line> line_;
   std::optional<LaidMap> laid_;
-  QString path_;  // empty = none is chosen
-  QString lost_;  // what its recording lacks; empty = nothing
+  QString path_;         // empty = none is chosen
+  QString lost_;         // what its recording lacks; empty = nothing
+  std::string content_;  // of the map that it was rehearsed on: names exactly these cells; empty: not known
+  map::GridReference reference_;
   std::vector<carry::Stretch> crossed_;
   QTemporaryDir folder_;
   std::unique_ptr<robot::Robot> origin_;  // of the recording
