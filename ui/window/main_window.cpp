@@ -103,9 +103,6 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   setWindowIcon(QIcon(QStringLiteral(":/mapwright.svg")));
   setObjectName(QStringLiteral("mainWindow"));
   showChosenTheme(settings_, *scene_);
-  // Each widget that gets a parent is styled anew. The sheet comes back when all of them are there.
-  const QString sheet = qApp->styleSheet();
-  qApp->setStyleSheet({});
 
   view_ = new MapView(scene_.get(), this);
   setCentralWidget(view_);
@@ -140,7 +137,6 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   createControllers(dependencies);
   connectControllers();
   addOwnActions();
-  qApp->setStyleSheet(sheet);
   fillMenuBar(*menuBar(), actions_);
   createToolBar();
   actions_.attach(this, view_);
