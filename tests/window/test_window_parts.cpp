@@ -142,7 +142,7 @@ class TestWindowParts : public QObject {
     const QMenuBar& bar = *bench.open().menuBar();
     QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()).join(QLatin1Char(' ')),
              QStringLiteral(
-                 "connect demo - retry disconnect robotLook record showRecordings * - "
+                 "connect demo - retry disconnect robotLook record showRecordings rehearseWay * - "
                  "robotPose setPose startMapping extendMap stopMapping cancelMapping saveNewMap uploadMap "
                  "createMap"));
     QCOMPARE(idsOf(menuCalled(bar, "&File")->actions()).join(QLatin1Char(' ')),

@@ -97,7 +97,7 @@ RehearsalController::RehearsalController(WindowContext& context, MakeRobot make_
                         .icon = "layers",
                         .tip = tr("Find out what a recorded way crosses on the map on screen"),
                         .needs_session = true,
-                        .menu = {MenuGroup::WholeMap, 27}},
+                        .menu = {MenuGroup::Link, 36}},
                        this, [this] {
                          context_.panels.open(dock_);
                          choose();
