@@ -369,9 +369,7 @@ void addCarry(Commands& commands, CLI::App& parent, CarriedKind kind) {
                            : Text::tr("Bring the overlays of an old map of a site to a new one"),
                  Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), args,
                  waypoints ? waypointsCarry : overlaysCarry, [](CarryArguments& typed, const Invocation&) {
-                   const QString suffix = QFileInfo(text(typed.report)).suffix().toLower();
-                   if (suffix == QLatin1String("html") || suffix == QLatin1String("htm"))
-                     typed.page.swap(typed.report);
+                   if (isPageName(typed.report)) typed.page.swap(typed.report);
                  });
   command
       ->add_option("--from", args->from,

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <QBuffer>
-#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -344,9 +343,7 @@ void addMapRehearsal(Commands& commands, CLI::App& maps) {
       addReading(commands, maps, "rehearse", Text::tr("Find out what recorded ways cross on a new map"),
                  Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), args,
                  mapsRehearse, [](RehearseArguments& typed, const Invocation&) {
-                   const QString suffix = QFileInfo(text(typed.report)).suffix().toLower();
-                   if (suffix == QLatin1String("html") || suffix == QLatin1String("htm"))
-                     typed.page.swap(typed.report);
+                   if (isPageName(typed.report)) typed.page.swap(typed.report);
                  });
   command
       ->add_option("new", args->map,

@@ -14,6 +14,7 @@
 #include "disk/written_file.h"
 #include "jobs/export_map.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -79,6 +80,11 @@ std::optional<QString> pngNotWritableReason(const QString& path) {
   if (kOthers.contains(QFileInfo(path).suffix().toLower()))
     return Text::tr("%1: only PNG is written here. Choose a name that ends in .png.").arg(path);
   return notWritableReason(path);
+}
+
+bool isPageName(const std::string& path) {
+  const QString suffix = QFileInfo(words::text(path)).suffix().toLower();
+  return suffix == QLatin1String("html") || suffix == QLatin1String("htm");
 }
 
 std::optional<QString> notTogetherReason(const QStringList& outputs) {

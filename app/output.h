@@ -60,6 +60,8 @@ bool isStream(const QString& path);
 std::optional<QString> notWritableReason(const QString& path);
 /// The same for a PNG, which is not written under the name of another kind of picture.
 std::optional<QString> pngNotWritableReason(const QString& path);
+/// --report of this name is a page for people, not JSON.
+bool isPageName(const std::string& path);
 /// A sentence if two of them are the same file. Devices may be used twice; empty paths are ignored.
 std::optional<QString> notTogetherReason(const QStringList& outputs);
 /// A sentence if one of `outputs` is a file that was read, through any path or link.
