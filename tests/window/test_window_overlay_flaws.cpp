@@ -87,10 +87,10 @@ class TestWindowOverlayFlaws : public QObject {
 
   void whatIsNotCheckedIsSaidInThePanelAndBeforeSaving() {
     Desk desk;
-    desk.start();
-    simulator::Faults faults;
+    simulator::Faults faults;  // before the window opens: a map on its way would still be whole
     faults.truncated_maps = true;
     desk.sim.setFaults(faults);
+    desk.start();
     QTest::keyClick(desk.window->view(), Qt::Key_E);
     QTRY_COMPARE(desk.document().size(), std::size_t(3));
     const auto said = [&] {
