@@ -1,12 +1,15 @@
 // A recorded way on the map on screen: what it crosses is drawn and listed.
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QtTest>
 
+#include "grids/grid_pyramid.h"
 #include "reference_bench.h"
 #include "test_program.h"
 #include "text_bag.h"
+#include "ui/replay/recordings_dock.h"
 #include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/rehearsal_dock.h"
 #include "ui/scene/map_scene.h"
@@ -30,12 +33,20 @@ struct OneBag : test::TextBag {
         this, [row, reply] { reply(std::vector<robot::BagEntry>{row}); }, Qt::QueuedConnection);
     return {};
   }
+  robot::Call messages(const robot::BagKey& key, const robot::BagRange& range,
+                       robot::OutcomeTo<robot::BagChunkPtr> reply) override {
+    if (!silent) return TextBag::messages(key, range, std::move(reply));
+    ++asked;
+    return {};
+  }
+  bool silent = false;
 };
 
 struct RehearsalBench : test::ReferenceBench {
   RehearsalBench() {
     also = [this](FakeRobot& made) {
       if (made.address().endsWith(QLatin1String("run.mcap"))) made.bags = bag;
+      if (of_robot && made.address() == test::kAddress) made.bags = &one;
     };
   }
   ~RehearsalBench() { window.reset(); }  // before the bag that it reads
@@ -62,7 +73,24 @@ struct RehearsalBench : test::ReferenceBench {
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("not written");
     return file.fileName();
   }
+  /// What is on screen, with the rack painted over.
+  std::shared_ptr<const grids::GridPyramid> withoutRack() {
+    const auto now = window->session()->wholeMap().cells();
+    const auto builder = grids::buildGrid(now->width(), now->height(), now->code(), now->reduction());
+    for (int row = 0; row < now->height(); ++row) {
+      std::vector<std::uint8_t> cells;
+      for (int column = 0; column < now->width(); ++column) {
+        const bool rack = column >= 200 && column < 220 && row >= 110 && row < 130;
+        cells.push_back(rack ? now->at(195, row) : now->at(column, row));
+      }
+      builder->pushRow(cells);
+    }
+    builder->finish();
+    return builder->pyramid();
+  }
   QString meets(int row) { return way_dock().table()->model()->index(row, 0).data().toString(); }
+  const robot::BagKey key{robot::BagKind::File, "run.mcap"};
+  bool of_robot = false;  // it has `one`
   OneBag one;
   OneBag* bag = nullptr;  // null: the file is no recording
   void waitForWay() { QTRY_VERIFY_WITH_TIMEOUT(!rehearsal().shown().empty(), 60'000); }
@@ -176,6 +204,95 @@ class TestWindowRehearsal : public QObject {
     bench.rehearsal().rehearse(bench.folder.filePath(QStringLiteral("run.mcap")));
     bench.waitForWay();
     QVERIFY2(bench.way_dock().said().contains(QLatin1String("Its end is missing")),
+             qPrintable(bench.way_dock().said()));
+  }
+
+  void aRecordingOfTheRobotIsRead() {
+    RehearsalBench bench;
+    for (int i = 0; i <= 60; ++i)
+      bench.one.add(1'717'405'200 + i * 0.2, map::TrackedPose{{7 + i * 0.1, 6, 0}});
+    bench.of_robot = true;
+    bench.openHall();
+    bench.reference()->removeMap();
+    QTest::mouseClick(bench.way_dock().recordingsButton(), Qt::LeftButton);
+    auto& list = *part<RecordingsDock>(*bench.window);
+    QVERIFY(list.isVisible());
+    QTRY_COMPARE(list.model()->rowCount(), 1);
+    list.select(bench.key);
+    QTest::mouseClick(list.rehearseButton(), Qt::LeftButton);
+    QVERIFY(bench.way_dock().cancelButton()->isVisibleTo(&bench.way_dock()));
+    bench.waitForWay();
+    QCOMPARE(bench.meets(0), QStringLiteral("in an obstacle"));
+    QVERIFY2(bench.way_dock().said().startsWith(QLatin1String("run.mcap: 6.0 m. Not free: ")),
+             qPrintable(bench.way_dock().said()));
+    QVERIFY(!bench.way_dock().cancelButton()->isVisibleTo(&bench.way_dock()));
+  }
+
+  void whatIsBeingReadCanBeCancelled() {
+    RehearsalBench bench;
+    for (int i = 0; i <= 60; ++i)
+      bench.one.add(1'717'405'200 + i * 0.2, map::TrackedPose{{7 + i * 0.1, 6, 0}});
+    bench.of_robot = true;
+    bench.openHall();
+    bench.reference()->removeMap();
+    bench.one.silent = true;
+    bench.rehearsal().rehearseBag(bench.key);
+    QTRY_VERIFY(bench.one.asked > 0);
+    QTest::mouseClick(bench.way_dock().cancelButton(), Qt::LeftButton);
+    QCOMPARE(bench.way_dock().said(), QStringLiteral("Cancelled. Press Again."));
+    QVERIFY(!bench.way_dock().cancelButton()->isVisibleTo(&bench.way_dock()));
+    bench.one.silent = false;
+    QTest::mouseClick(bench.way_dock().againButton(), Qt::LeftButton);
+    bench.waitForWay();
+  }
+
+  void withoutRecordingsOfTheRobotItIsSaidWhy() {
+    RehearsalBench bench;
+    bench.openHall();
+    QVERIFY(!bench.way_dock().recordingsButton()->isEnabled());
+    QVERIFY(!bench.way_dock().recordingsButton()->toolTip().isEmpty());
+  }
+
+  void anotherRadiusCountsAtOnce() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.reference()->removeMap();
+    // 0.5 m beside the rack: free for the usual radius.
+    QByteArray text = "stamp_s,x_m,y_m\n";
+    for (int i = 0; i <= 60; ++i)
+      text += QByteArray::number(i * 0.2, 'f', 3) + ',' + QByteArray::number(7 + i * 0.1) + ",7.0\n";
+    bench.rehearsal().rehearse(bench.put("beside.csv", text));
+    bench.waitForWay();
+    QCOMPARE(bench.way_dock().table()->model()->rowCount(), 0);
+    bench.way_dock().radiusBox()->setValue(0.8);
+    QTRY_VERIFY(bench.way_dock().table()->model()->rowCount() > 0);
+    QCOMPARE(bench.meets(0), QStringLiteral("too close to a wall"));
+    bench.way_dock().radiusBox()->setValue(0);  // the robot's own
+    QTRY_COMPARE(bench.way_dock().table()->model()->rowCount(), 0);
+    map::RobotModel wide;
+    for (const auto& [x, y] : {std::pair(0.8, 0.8), {-0.8, 0.8}, {-0.8, -0.8}, {0.8, -0.8}})
+      wide.footprint.emplace_back(x, y);
+    bench.robot->say(wide);
+    QTRY_VERIFY(bench.way_dock().table()->model()->rowCount() > 0);
+  }
+
+  void brushStrokesLeaveItAndSayThatItIsOfTheMapBefore() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.reference()->removeMap();
+    bench.rehearsal().rehearse(bench.wayFile(false));
+    bench.waitForWay();
+    const QString before = bench.way_dock().said();
+    // What the picture editor does: the rack is gone.
+    bench.window->mapScene()->setEditedCells({map::MapKind::Stored, "1"}, bench.withoutRack());
+    for (int stroke = 0; stroke < 2; ++stroke) bench.window->mapScene()->editedCellsChanged({9, 5, 12, 7});
+    QCOMPARE(bench.way_dock().said(),
+             QStringLiteral("The map on screen has changed since then. As it was: ") + before);
+    QVERIFY(!bench.rehearsal().shown().empty());
+    QTest::mouseClick(bench.way_dock().againButton(), Qt::LeftButton);
+    bench.waitForWay();
+    QCOMPARE(bench.way_dock().table()->model()->rowCount(), 0);
+    QVERIFY2(bench.way_dock().said().contains(QLatin1String("all free")),
              qPrintable(bench.way_dock().said()));
   }
 

@@ -191,6 +191,7 @@ RecordingsDock::RecordingsDock(QWidget* parent)
       refresh_(new QToolButton(this)),
       retry_(new QPushButton(tr("Retry"), this)),
       open_(new QPushButton(themedIcon(QStringLiteral("play")), tr("Replay"), this)),
+      rehearse_(new QPushButton(themedIcon(QStringLiteral("layers")), tr("Rehearse"), this)),
       download_(new QPushButton(themedIcon(QStringLiteral("download")), tr("Download…"), this)),
       stop_(new QPushButton(themedIcon(QStringLiteral("close")), tr("Stop"), this)),
       delete_(new QPushButton(themedIcon(QStringLiteral("trash")), tr("Delete…"), this)),
@@ -200,12 +201,13 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   sorted_->setSortRole(BagsModel::kSortRole);
   sorted_->setFilterKeyColumn(BagsModel::NameColumn);
   sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  layOut(sorted_, {refresh_}, 1, {retry_, open_, download_, stop_, delete_, record_});
+  layOut(sorted_, {refresh_}, 1, {retry_, open_, rehearse_, download_, stop_, delete_, record_});
   setTabOrder(search_, refresh_);
   search_->setMaximumWidth(260);
   refresh_->setIcon(themedIcon(QStringLiteral("retry")));
   refresh_->setIconSize({16, 16});
   refresh_->setAccessibleName(tr("Refresh the list of recordings"));
+  rehearse_->setToolTip(tr("Find out what its way crosses on the map on screen"));
   refresh_->setToolTip(tr("Ask the robot for its recordings again"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   // The ends of names distinguish them.
@@ -238,6 +240,7 @@ RecordingsDock::RecordingsDock(QWidget* parent)
     });
   };
   of_row(open_, &RecordingsDock::openWanted);
+  of_row(rehearse_, &RecordingsDock::rehearseWanted);
   of_row(download_, &RecordingsDock::downloadWanted);
   of_row(stop_, &RecordingsDock::stopWanted);
   of_row(delete_, &RecordingsDock::deleteWanted);
@@ -303,6 +306,7 @@ void RecordingsDock::refreshButtons() {
   const QString unavailable_reason =
       state_.replaying ? tr("While a bag is replayed, nothing can be changed on the robot.") : QString();
   open_->setEnabled(key && !busy);
+  rehearse_->setEnabled(key.has_value());
   download_->setEnabled(key && !busy);
   download_->setText(kind == BagNote::Kind::Stopped ? tr("Resume") : tr("Download…"));
   // One replaces the other: a row does not need both.
@@ -344,6 +348,7 @@ void RecordingsDock::showMenu(const QPoint& at) {
     action->setEnabled(button->isEnabled());
   };
   add(open_, &RecordingsDock::openWanted);
+  add(rehearse_, &RecordingsDock::rehearseWanted);
   add(download_, &RecordingsDock::downloadWanted);
   if (stop_->isEnabled()) add(stop_, &RecordingsDock::stopWanted);
   menu.addSeparator();

@@ -95,6 +95,7 @@ class RecordingsDock : public ListDock {
   void setState(const RecordingsState& state);
 
   QPushButton* openButton() const { return open_; }
+  QPushButton* rehearseButton() const { return rehearse_; }
   QPushButton* stopButton() const { return stop_; }
   QPushButton* deleteButton() const { return delete_; }
   QPushButton* recordButton() const { return record_; }
@@ -104,6 +105,8 @@ class RecordingsDock : public ListDock {
 
  Q_SIGNALS:
   void openWanted(const mapwright::robot::BagKey& key);
+  /// On the map on screen.
+  void rehearseWanted(const mapwright::robot::BagKey& key);
   void downloadWanted(const mapwright::robot::BagKey& key);
   void stopWanted(const mapwright::robot::BagKey& key);
   void deleteWanted(const mapwright::robot::BagKey& key);
@@ -123,7 +126,7 @@ class RecordingsDock : public ListDock {
   BagsModel* model_;
   QSortFilterProxyModel* sorted_;
   QToolButton* refresh_;
-  QPushButton *retry_, *open_, *download_, *stop_, *delete_, *record_;
+  QPushButton *retry_, *open_, *rehearse_, *download_, *stop_, *delete_, *record_;
   RecordingsState state_;
 };
 

@@ -1,5 +1,6 @@
 #include "ui/replay/rehearsal_controller.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -13,14 +14,17 @@
 #include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "excerpt/excerpt_job.h"
+#include "map/live_topics.h"
 #include "placing/warnings.h"
 #include "replay/track_file.h"
+#include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
+#include "ui/replay/recordings_dock.h"
 #include "ui/replay/rehearsal_dock.h"
 #include "ui/scene/drawing.h"
 #include "ui/scene/map_scene.h"
@@ -33,6 +37,7 @@ namespace {
 
 constexpr double kAroundPlace_m = 3;
 constexpr std::size_t kMostTrackBytes = 256 << 20;
+const QString kRadiusKey = QStringLiteral("rehearsal/radius");
 
 }  // namespace
 
@@ -100,19 +105,29 @@ RehearsalController::RehearsalController(WindowContext& context, MakeRobot make_
                         .menu = {MenuGroup::Link, 36}},
                        this, [this] {
                          context_.panels.open(dock_);
-                         choose();
+                         if (!library()) choose();
                        });
   connect(dock_, &RehearsalDock::chooseWanted, this, &RehearsalController::choose);
-  connect(dock_, &RehearsalDock::againWanted, this, [this] { rehearse(QString(path_)); });
+  connect(dock_, &RehearsalDock::recordingsWanted, this, &RehearsalController::recordingsWanted);
+  connect(dock_, &RehearsalDock::againWanted, this, &RehearsalController::read);
+  connect(dock_, &RehearsalDock::cancelWanted, this, [this] { forget(tr("Cancelled. Press Again.")); });
   connect(dock_, &RehearsalDock::removeWanted, this, [this] {
     path_.clear();
+    bag_.reset();
     forget({});
+  });
+  connect(dock_, &RehearsalDock::radiusChanged, this, [this] {
+    if (!track_file_.isEmpty()) run(QString(track_file_));
   });
   connect(dock_, &RehearsalDock::placeWanted, this, &RehearsalController::goTo);
   connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] { line_->follow(); });
   connect(&context_.scene, &scene::MapScene::contentChanged, this, [this] {
-    if (!path_.isEmpty() && !sameCells()) forget(tr("Another map is on screen now. Press Again."));
+    if (ground_ && !sameCells())
+      forget(tr("The map on screen has changed, or is another one now. Press Again."));
   });
+  connect(&context_.scene, &scene::MapScene::cellsEdited, this, &RehearsalController::onEdited);
+  connect(&context_.current, &CurrentSession::stateChanged, this, &RehearsalController::syncRobot);
+  syncRobot();
   forget({});
 }
 
@@ -123,11 +138,22 @@ RehearsalController::~RehearsalController() {
 
 const std::vector<carry::Stretch>& RehearsalController::shown() const { return line_->stretches(); }
 
+robot::BagLibrary* RehearsalController::library() const {
+  session::Session* const session = context_.current.session();
+  return session ? session->robot().bagLibrary() : nullptr;
+}
+
+QString RehearsalController::called() const {
+  return bag_ ? bagCalled(*bag_) : words::plainName(QFileInfo(path_).fileName());
+}
+
 bool RehearsalController::sameCells() const {
   const session::Session* const session = context_.current.session();
-  if (!session || content_.empty()) return false;
+  if (!session) return false;
   const session::MapSlot& whole = session->wholeMap();
-  return whole.cells() && whole.shown().fingerprint == content_ && whole.reference() == reference_;
+  return whole.cells() && whole.reference() == ground_->map.reference &&
+         (whole.cells() == ground_->map.cells ||
+          (!ground_->content.empty() && whole.shown().fingerprint == ground_->content));
 }
 
 void RehearsalController::choose() {
@@ -140,17 +166,34 @@ void RehearsalController::choose() {
 
 void RehearsalController::rehearse(const QString& path) {
   path_ = path;
-  lost_.clear();
-  const session::Session* const session = context_.current.session();
-  if (!session || !session->wholeMap().cells()) return forget(tr("There is no whole map on screen."));
-  if (!session->wholeMap().settled()) return forget(tr("The map on screen is still being read."));
-  forget(tr("Reading %1…").arg(words::plainName(QFileInfo(path).fileName())));
-  context_.panels.open(dock_);
-  replay::isTrackName(path.toStdString()) ? run(path) : readRecording(path);
+  bag_.reset();
+  read();
 }
 
-void RehearsalController::readRecording(const QString& path) {
-  auto robot = make_robot_(QStringLiteral("file:") + QFileInfo(path).absoluteFilePath());
+void RehearsalController::rehearseBag(const robot::BagKey& key) {
+  path_.clear();
+  bag_ = key;
+  read();
+}
+
+void RehearsalController::read() {
+  lost_.clear();
+  context_.panels.open(dock_);
+  const session::Session* const session = context_.current.session();
+  if (!session || !session->wholeMap().cells()) return forget(tr("There is no whole map on screen."));
+  const session::MapSlot& whole = session->wholeMap();
+  if (!whole.settled()) return forget(tr("The map on screen is still being read."));
+  wait(tr("Reading %1…").arg(called()));
+  ground_ = Ground{{whole.cells(), whole.reference()}, whole.shown().fingerprint};
+  if (!bag_) return readFile();
+  robot::BagLibrary* const library = this->library();
+  if (!library) return forget(tr("The robot does not offer its recordings any more."));
+  readRecording(*library, *bag_);
+}
+
+void RehearsalController::readFile() {
+  if (replay::isTrackName(path_.toStdString())) return run(path_);
+  auto robot = make_robot_(QStringLiteral("file:") + QFileInfo(path_).absoluteFilePath());
   if (!robot) return forget(robot.error());
   origin_ = std::move(*robot);
   robot::BagLibrary* const library = origin_->bagLibrary();
@@ -159,38 +202,46 @@ void RehearsalController::readRecording(const QString& path) {
     if (*over) return;
     if (!rows) return forget(QString::fromStdString(sentences::sentenceOf(rows.error())));
     if (rows->empty()) return forget(tr("This is no recording."));
-    excerpt::Order order;
-    order.kind = excerpt::Kind::TrackCsv;
-    order.path = folder_.filePath(QStringLiteral("way.csv")).toStdString();
-    job_ = std::make_unique<excerpt::ExcerptJob>(excerpt::ExcerptJob::Source{library, rows->front().key, {}},
-                                                 order, context_.workers);
-    const auto onEnded = [this, over](const excerpt::Ended& ended) {
-      if (*over) return;
-      if (ended.not_read) return forget(QString::fromStdString(sentences::sentenceOf(*ended.not_read)));
-      if (ended.not_written) return forget(sentences::sentenceOf(*ended.not_written));
-      if (lost_.isEmpty() && !ended.holes.empty()) lost_ = tr("Parts of the recording cannot be read.");
-      if (ended.written) run(folder_.filePath(QStringLiteral("way.csv")));
-    };
-    // Queued: it may be deleted then.
-    connect(job_.get(), &excerpt::ExcerptJob::ended, this, onEnded, Qt::QueuedConnection);
-    library->info(rows->front().key, [this, over](const robot::Outcome<robot::BagInfo>& info) {
-      if (*over) return;
-      if (info && info->interrupted)
-        lost_ = tr("Its end is missing: the recording was interrupted, or is still going on.");
-      job_->start();
-    });
+    readRecording(*library, rows->front().key);
+  });
+}
+
+void RehearsalController::readRecording(robot::BagLibrary& library, const robot::BagKey& key) {
+  excerpt::Order order;
+  order.kind = excerpt::Kind::TrackCsv;
+  order.path = folder_.filePath(QStringLiteral("way.csv")).toStdString();
+  job_ = std::make_unique<excerpt::ExcerptJob>(excerpt::ExcerptJob::Source{&library, key, {}}, order,
+                                               context_.workers);
+  const auto onEnded = [this, over = cancelled_](const excerpt::Ended& ended) {
+    if (*over) return;
+    if (ended.not_read) return forget(QString::fromStdString(sentences::sentenceOf(*ended.not_read)));
+    if (ended.not_written) return forget(sentences::sentenceOf(*ended.not_written));
+    if (lost_.isEmpty() && !ended.holes.empty()) lost_ = tr("Parts of the recording cannot be read.");
+    if (ended.written) run(folder_.filePath(QStringLiteral("way.csv")));
+  };
+  // Queued: it may be deleted then.
+  connect(job_.get(), &excerpt::ExcerptJob::ended, this, onEnded, Qt::QueuedConnection);
+  connect(job_.get(), &excerpt::ExcerptJob::progressed, this, [this](double share) {
+    dock_->setSaid(tr("Reading %1: %2 %").arg(called()).arg(int(100 * std::clamp(share, 0.0, 1.0))));
+  });
+  library.info(key, [this, over = cancelled_](const robot::Outcome<robot::BagInfo>& info) {
+    if (*over) return;
+    if (info && info->interrupted)
+      lost_ = tr("Its end is missing: the recording was interrupted, or is still going on.");
+    job_->start();
   });
 }
 
 void RehearsalController::run(const QString& track_file) {
-  const session::Session* const session = context_.current.session();
-  if (!session || !session->wholeMap().cells()) return forget(tr("There is no whole map on screen."));
-  const double told_m = placing::radiusOf(session->live().model);
-  carry::RehearsalOptions options{.radius_m = told_m > 0 ? told_m : placing::kUsualRadiusM};
+  const std::optional<Ground> ground = ground_;
+  wait(tr("Looking at what %1 crosses…").arg(called()));
+  ground_ = ground;
+  track_file_ = track_file;
+  carry::RehearsalOptions options{.radius_m = dock_->radius().value_or(told_m_)};
   if (laid_) options.transform = laid_->pose, options.old_map = laid_->map;
-  const render::PlacedGrid map{session->wholeMap().cells(), session->wholeMap().reference()};
-  content_ = session->wholeMap().shown().fingerprint;
-  reference_ = map.reference;
+  render::PlacedGrid map = ground->map;
+  // As it is painted at present.
+  if (const auto drawn = context_.scene.wholeMap(); drawn && drawn->reference == map.reference) map = *drawn;
   share_.startLong([this, cancelled = cancelled_, file = track_file.toStdString(), map, options] {
     // Unless it is cancelled meanwhile.
     const auto post = [&](auto what) {
@@ -201,6 +252,7 @@ void RehearsalController::run(const QString& track_file) {
           },
           Qt::QueuedConnection);
     };
+    if (*cancelled) return;
     const auto bytes = disk::readFile(file, kMostTrackBytes);
     if (!bytes) return post([this, why = bytes.error()] { forget(sentences::wordsOf(why.cause)); });
     const auto track = replay::trackFrom(*bytes);
@@ -218,12 +270,13 @@ void RehearsalController::onRehearsed(const carry::Rehearsed& way) {
   crossed_ = way.crossed();
   line_->show(way.stretches);
   dock_->setStretches(crossed_, context_.scene.theme());
-  const QString name = words::plainName(QFileInfo(path_).fileName());
+  dock_->setBusy(false);
   const QString lies =
       laid_ ? tr("It was moved as the reference map lies.") : tr("It lies as it was recorded.");
-  QString said = QStringLiteral("%1: %2 %3").arg(name, carry::rehearsedText(way), lies);
+  QString said = QStringLiteral("%1: %2 %3").arg(called(), carry::rehearsedText(way), lies);
   if (!lost_.isEmpty()) said += QLatin1Char(' ') + lost_;
   dock_->setSaid(said);
+  if (std::exchange(edited_, false)) onEdited();
   geometry::WorldRect all;
   for (const carry::Stretch& stretch : way.stretches) {
     for (const Eigen::Vector2d& at : stretch.line) all.extend(at);
@@ -231,18 +284,31 @@ void RehearsalController::onRehearsed(const carry::Rehearsed& way) {
   if (!all.empty()) context_.viewpoint.lookAt(all);
 }
 
+void RehearsalController::onEdited() {
+  if (track_file_.isEmpty() || std::exchange(edited_, true) || shown().empty()) return;
+  dock_->setSaid(tr("The map on screen has changed since then. As it was: %1").arg(dock_->said()));
+}
+
 void RehearsalController::forget(const QString& said) {
   cancelled_->store(true);
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   job_.reset();
-  content_.clear();
+  track_file_.clear();
+  ground_.reset();
+  edited_ = false;
   crossed_.clear();
   line_->show({});
   dock_->setStretches({}, context_.scene.theme());
-  dock_->setChosen(!path_.isEmpty());
+  dock_->setChosen(isChosen());
+  dock_->setBusy(false);
   dock_->setSaid(!said.isEmpty() ? said
                                  : tr("Choose a recorded way to see what it crosses on this map. If it was "
                                       "driven on an old map, lay and align that as a reference map first."));
+}
+
+void RehearsalController::wait(const QString& said) {
+  forget(said);
+  dock_->setBusy(true);
 }
 
 void RehearsalController::goTo(int row) {
@@ -256,12 +322,39 @@ void RehearsalController::goTo(int row) {
 void RehearsalController::setLaid(const std::optional<LaidMap>& laid) {
   if (laid == laid_) return;
   laid_ = laid;
-  if (!path_.isEmpty()) forget(tr("The reference map was moved, or is another one now. Press Again."));
+  if (isChosen()) forget(tr("The reference map was moved, or is another one now. Press Again."));
 }
 
-void RehearsalController::setSession(session::Session*) {
+void RehearsalController::syncRobot() {
+  const session::Session* const session = context_.current.session();
+  const double reported_m = session ? placing::radiusOf(session->live().model) : 0;
+  const double told_m = reported_m > 0 ? reported_m : placing::kUsualRadiusM;
+  dock_->setToldRadius(told_m);
+  if (std::exchange(told_m_, told_m) != told_m && !dock_->radius() && !track_file_.isEmpty())
+    run(QString(track_file_));
+  dock_->setWhyNoRecordings(
+      !session     ? tr("Connect to a robot to see its recordings.")
+      : !library() ? sentences::absenceReason(robot::Capability::Bags,
+                                              session->robot().unavailableReason(robot::Capability::Bags))
+                   : QString());
+}
+
+void RehearsalController::setSession(session::Session* session) {
   path_.clear();
+  bag_.reset();
   forget({});
+  if (!session) return;
+  connect(session, &session::Session::liveChanged, this, [this](int what) {
+    if (what == map::topicIndex<map::RobotModel>()) syncRobot();
+  });
+}
+
+void RehearsalController::recall(const QSettings& settings) {
+  dock_->setRadius(settings.value(kRadiusKey, 0.0).toDouble());
+}
+
+void RehearsalController::remember(QSettings& settings) {
+  settings.setValue(kRadiusKey, dock_->radius().value_or(0));
 }
 
 }  // namespace mapwright::ui

@@ -1,5 +1,5 @@
-// A recorded way on the map on screen: what it crosses there. If a reference map is laid, the way was driven
-// on that one. Why: docs/tasks/new-map.md.
+// A recorded way on the map on screen, from a file or from the robot: what it crosses there. If a reference
+// map is laid, the way was driven on that one. Why: docs/tasks/new-map.md.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,8 @@
 #include <QTemporaryDir>
 #include <tl/expected.hpp>
 
-#include "map/grid_reference.h"
+#include "render/sample_grid.h"
+#include "robot/bag_library.h"
 #include "robot/robot.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/laid_map.h"
@@ -42,35 +43,61 @@ class RehearsalController : public Controller {
   RehearsalDock* dock() const { return dock_; }
   /// A recording, or a track that was exported.
   void rehearse(const QString& path);
+  /// A recording of the robot that is connected.
+  void rehearseBag(const robot::BagKey& key);
   /// The reference map; nullopt = none, or it is still being read.
   void setLaid(const std::optional<LaidMap>& laid);
   void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
   /// As drawn.
   const std::vector<carry::Stretch>& shown() const;
 
+ Q_SIGNALS:
+  /// To choose one of the robot's.
+  void recordingsWanted();
+
  private:
   class Line;
+  /// The map on screen, without unsaved changes.
+  struct Ground {
+    render::PlacedGrid map;
+    std::string content;  // names exactly these cells; empty: not known
+  };
 
+  robot::BagLibrary* library() const;  // of the robot; null: it has none
+  bool isChosen() const { return bag_ || !path_.isEmpty(); }
+  QString called() const;
   void choose();
+  /// What is chosen.
+  void read();
+  void readFile();
   /// Writes its track first.
-  void readRecording(const QString& path);
+  void readRecording(robot::BagLibrary& library, const robot::BagKey& key);
   /// On a thread beside the pool.
   void run(const QString& track_file);
   void onRehearsed(const carry::Rehearsed& way);
   /// A file is read again when anything beside it is saved: that is no other map.
   bool sameCells() const;
   void forget(const QString& said);
+  /// Until it is known what it crosses.
+  void wait(const QString& said);
+  void onEdited();
   void goTo(int row);
+  void syncRobot();
 
   WindowContext& context_;
   MakeRobot make_robot_;
   RehearsalDock* dock_;
   std::unique_ptr<Line> line_;
   std::optional<LaidMap> laid_;
-  QString path_;         // empty = none is chosen
-  QString lost_;         // what its recording lacks; empty = nothing
-  std::string content_;  // of the map that it was rehearsed on: names exactly these cells; empty: not known
-  map::GridReference reference_;
+  QString path_;                      // a file is chosen
+  std::optional<robot::BagKey> bag_;  // or one of the robot
+  QString track_file_;                // what was read of it; empty: nothing yet
+  QString lost_;                      // what its recording lacks; empty = nothing
+  std::optional<Ground> ground_;      // that it is rehearsed on
+  bool edited_ = false;               // that has been painted on since then
+  double told_m_ = 0;                 // the radius that the robot reports, or the usual one
   std::vector<carry::Stretch> crossed_;
   QTemporaryDir folder_;
   std::unique_ptr<robot::Robot> origin_;  // of the recording

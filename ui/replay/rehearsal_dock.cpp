@@ -1,5 +1,6 @@
 #include "ui/replay/rehearsal_dock.h"
 
+#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <QTableView>
 
 #include "carry/rehearsal_sentence.h"
+#include "placing/warnings.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/tree_view.h"
@@ -52,9 +54,14 @@ QPen penOf(carry::Crossing what, const scene::MapTheme& theme) {
 RehearsalDock::RehearsalDock(QWidget* parent)
     : QDockWidget(tr("Rehearse"), parent),
       said_(textLabel({}, this)),
-      choose_(compactButton(tr("Choose a way…"), this, tr("A recording, or a track that was exported"))),
+      choose_(compactButton(tr("Choose a file…"), this, tr("A recording, or a track that was exported"))),
+      recordings_(compactButton(tr("On the robot…"), this)),
       again_(compactButton(tr("Again"), this, tr("Read it again, and lay it on the map as it is now"))),
+      cancel_(compactButton(tr("Cancel"), this, tr("Stop reading the way"))),
       remove_(compactButton(tr("Remove"), this, tr("Take the way off the map"))),
+      radius_(numberField(
+          this,
+          {.least = 0, .most = placing::kMostRadiusM, .decimals = 2, .name = tr("Radius of the robot")})),
       model_(new QStandardItemModel(0, 3, this)),
       table_(new QuietTableView(this)) {
   setObjectName(QStringLiteral("rehearsal"));
@@ -71,16 +78,23 @@ RehearsalDock::RehearsalDock(QWidget* parent)
   new NameColumn(table_, header, 0, {{2}, {1}});
   table_->installEventFilter(this);
   auto* const buttons = new WrappingRow(QMargins(), 8);
-  for (QPushButton* const button : {choose_, again_, remove_}) buttons->add(button);
+  for (QPushButton* const button : {choose_, recordings_, again_, cancel_, remove_}) buttons->add(button);
+  buttons->add(radius_);
+  radius_->setToolTip(tr("Radius of the robot: 0 is that of its own footprint"));
+  setToldRadius(placing::kUsualRadiusM);
   auto* const body = new QWidget(this);
   body->setLayout(columnOf({said_, buttons, {table_, 1}}, 6, QMargins(8, 6, 8, 6)));
   setWidget(body);
   connect(choose_, &QPushButton::clicked, this, &RehearsalDock::chooseWanted);
+  connect(recordings_, &QPushButton::clicked, this, &RehearsalDock::recordingsWanted);
   connect(again_, &QPushButton::clicked, this, &RehearsalDock::againWanted);
+  connect(cancel_, &QPushButton::clicked, this, &RehearsalDock::cancelWanted);
+  connect(radius_, &QDoubleSpinBox::valueChanged, this, &RehearsalDock::radiusChanged);
   connect(remove_, &QPushButton::clicked, this, &RehearsalDock::removeWanted);
   connect(table_, &QTableView::clicked, this,
           [this](const QModelIndex& at) { Q_EMIT placeWanted(at.row()); });
   setChosen(false);
+  setBusy(false);
 }
 
 RehearsalDock::~RehearsalDock() { table_->removeEventFilter(this); }
@@ -92,6 +106,27 @@ QString RehearsalDock::said() const { return said_->text(); }
 void RehearsalDock::setChosen(bool chosen) {
   again_->setEnabled(chosen);
   remove_->setEnabled(chosen);
+}
+
+void RehearsalDock::setBusy(bool busy) { cancel_->setVisible(busy); }
+
+void RehearsalDock::setWhyNoRecordings(const QString& why) {
+  recordings_->setEnabled(why.isEmpty());
+  recordings_->setToolTip(!why.isEmpty() ? why
+                                         : tr("Lists the robot's recordings: choose one, then Rehearse"));
+}
+
+std::optional<double> RehearsalDock::radius() const {
+  return radius_->value() > 0 ? std::optional(radius_->value()) : std::nullopt;
+}
+
+void RehearsalDock::setToldRadius(double told_m) {
+  radius_->setSpecialValueText(tr("Robot: %1 m").arg(words::fixed(told_m, 2)));
+}
+
+void RehearsalDock::setRadius(double radius_m) {
+  const QSignalBlocker quiet(radius_);
+  radius_->setValue(radius_m);
 }
 
 void RehearsalDock::setStretches(const std::vector<carry::Stretch>& stretches, const scene::MapTheme& theme) {

@@ -1,6 +1,7 @@
 // What a recorded way crosses on the map on screen, as a list.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QDockWidget>
@@ -9,6 +10,7 @@
 #include "carry/rehearsal.h"
 #include "ui/scene/map_theme.h"
 
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QStandardItemModel;
@@ -29,14 +31,29 @@ class RehearsalDock : public QDockWidget {
   void setStretches(const std::vector<carry::Stretch>& stretches, const scene::MapTheme& theme);
   /// Of a way that was chosen.
   void setChosen(bool chosen);
+  /// It is being read or looked at.
+  void setBusy(bool busy);
+  /// Why none of the robot's recordings can be chosen; empty: they can.
+  void setWhyNoRecordings(const QString& why);
+  /// Of the robot, if one was set; otherwise its own counts, which is `told_m`.
+  std::optional<double> radius() const;
+  void setToldRadius(double told_m);
+  /// Without a signal. 0: its own.
+  void setRadius(double radius_m);
 
   QTableView* table() const { return table_; }
+  QPushButton* recordingsButton() const { return recordings_; }
+  QPushButton* cancelButton() const { return cancel_; }
+  QDoubleSpinBox* radiusBox() const { return radius_; }
   QPushButton* againButton() const { return again_; }
   QPushButton* removeButton() const { return remove_; }
   QString said() const;
 
  Q_SIGNALS:
   void chooseWanted();
+  void recordingsWanted();
+  void cancelWanted();
+  void radiusChanged();
   void againWanted();
   void removeWanted();
   void placeWanted(int row);  // by a click or Enter
@@ -46,7 +63,8 @@ class RehearsalDock : public QDockWidget {
 
  private:
   QLabel* said_;
-  QPushButton *choose_, *again_, *remove_;
+  QPushButton *choose_, *recordings_, *again_, *cancel_, *remove_;
+  QDoubleSpinBox* radius_;
   QStandardItemModel* model_;
   QTableView* table_;
 };

@@ -39,6 +39,7 @@
 #include "ui/regions/regions_controller.h"
 #include "ui/replay/recording_controller.h"
 #include "ui/replay/recordings_controller.h"
+#include "ui/replay/recordings_dock.h"
 #include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/replay_controller.h"
 #include "ui/robot/connection_controller.h"
@@ -207,6 +208,9 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
       this);
   controllers_.push_back(rehearsal);
   connect(reference_, &ReferenceController::laidChanged, rehearsal, &RehearsalController::setLaid);
+  connect(recordings_->dock(), &RecordingsDock::rehearseWanted, rehearsal, &RehearsalController::rehearseBag);
+  connect(rehearsal, &RehearsalController::recordingsWanted, this,
+          [this] { context_->panels.open(recordings_->dock()); });
   make(robot_);
   make(messages_);
   make(files_, *placing_);
