@@ -19,10 +19,12 @@ class LocalFit {
 
   static constexpr double kReach_m = 3.0;
 
-  /// Of the old map's walls within kReach_m, where the new map knows something.
+  /// Of walls within kReach_m, where the other map knows something.
   struct Around {
-    double within_10cm = 0;                 // share of them with a wall of the new map within 10 cm
-    std::optional<double> residual_m = {};  // how far they are off; nullopt: there are no such walls
+    double within_10cm = 0;  // share of the old map's with a wall of the new map within 10 cm
+    /// How far the old map's walls are off, and those of both maps, whichever is worse; nullopt: there are
+    /// none.
+    std::optional<double> old_m = {}, residual_m = {};
   };
   Around around(const Eigen::Vector2d& old_m) const;
 

@@ -16,7 +16,7 @@ using geometry::Pose2;
 
 /// If fewer of the walls around it agree, they do not support its place.
 constexpr double kAgrees = 0.2;
-/// Walls that are farther off do not, either.
+/// Walls of the old map that are farther off do not, either. New ones may just have been put there.
 constexpr double kFarOff_m = 0.3;
 
 double wallDistance(placing::Ground& ground, const Eigen::Vector2d& at, double reach_m) {
@@ -73,7 +73,7 @@ Carried Site::carriedShape(const std::vector<Eigen::Vector2d>& old_points, bool 
   if (!seen) {
     out.verdict = Verdict::Outside;
   } else if (out.verdict == Verdict::Kept &&
-             (around.within_10cm < kAgrees || around.residual_m.value_or(0) > kFarOff_m)) {
+             (around.within_10cm < kAgrees || around.old_m.value_or(0) > kFarOff_m)) {
     out.verdict = Verdict::NotSupported;
   }
   return out;

@@ -43,7 +43,9 @@ struct Carried {
   geometry::Pose2 transform;  // for this thing
   Spot spot;                  // on the new map
   Verdict verdict = Verdict::Kept;
-  std::optional<double> local_residual_m = {};  // of the walls around it, before an adjustment; nullopt: none
+  /// Of the walls of both maps around it, whichever are off more, before an adjustment; nullopt: there are
+  /// none.
+  std::optional<double> local_residual_m = {};
 };
 
 struct CarryOptions {

@@ -88,6 +88,17 @@ class TestCarried : public QObject {
     QVERIFY(*gone[0].local_residual_m > 1);
   }
 
+  void wallsThatAreNewAreOffAsMuchAsWallsThatAreGone() {
+    TwoMaps maps;
+    // Both walls are still there, and twice as many have come, 1.5 m and more from them.
+    box(maps.old_map, 6, 7.5, 8, 7.6);
+    box(maps.new_map, 6, 7.5, 8, 7.6);
+    for (const double low : {3.0, 3.8}) box(maps.new_map, 5.5, low, 8.5, low + 0.1);
+    const std::vector<Carried> all = maps.site().carried({{{7, 5.2}, 0.0}}, {});
+    QVERIFY2(*all[0].local_residual_m > 1, qPrintable(QString::number(*all[0].local_residual_m)));
+    QCOMPARE(all[0].verdict, Verdict::Kept);  // what stands there still agrees
+  }
+
   void whereTheMapIsBentAPlaceIsAdjustedIfAsked() {
     TwoMaps maps;
     // A niche of the old map has moved by 20 cm along both axes.
