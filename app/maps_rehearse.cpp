@@ -101,7 +101,7 @@ CommandResult<std::vector<carry::WayPoint>> wayOf(RobotCommand& command, const R
   if (!track) return passOn(track);
   std::vector<carry::WayPoint> way;
   for (const replay::TrackPoint& point : *track)
-    way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece});
+    way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece, point.map});
   return way;
 }
 
@@ -170,6 +170,7 @@ QJsonObject rehearsalJson(const RehearsalSite& site, const std::vector<Rehearsed
     all << QJsonObject{{QStringLiteral("name"), text(one.name)},
                        {QStringLiteral("free"), one.way.free()},
                        {QStringLiteral("length_m"), one.way.length_m},
+                       {QStringLiteral("elsewhere_m"), one.way.elsewhere_m},
                        {QStringLiteral("start_s"), one.way.from_s},
                        {QStringLiteral("end_s"), one.way.to_s},
                        {QStringLiteral("reach"), reachName(one.way.reach)},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "align/plan_of.h"
@@ -37,6 +38,31 @@ double stepOn(const render::PlacedGrid& map) {
 bool isWay(const WayPoint& from, const WayPoint& to) {
   return from.piece == to.piece &&
          map::isWayKnown({from.position_m, from.stamp_s}, {to.position_m, to.stamp_s});
+}
+
+bool isUsable(const WayPoint& point) { return point.position_m.allFinite() && std::isfinite(point.stamp_s); }
+
+/// The map on which the robot was where the way lies on free ground of `driven_on`. Of one map: that one.
+std::size_t mapOf(const std::vector<WayPoint>& way, const render::PlacedGrid& driven_on) {
+  struct Share {
+    std::size_t points = 0, free = 0;
+    double free_share() const { return double(free) / double(points); }
+  };
+  std::map<std::size_t, Share> shares;
+  placing::Ground ground = groundOf(driven_on);
+  const bool one = std::all_of(way.begin(), way.end(),
+                               [&](const WayPoint& point) { return point.map == way.front().map; });
+  if (one) return way.empty() ? 0 : way.front().map;
+  for (const WayPoint& point : way) {
+    if (!isUsable(point)) continue;
+    Share& share = shares[point.map];
+    ++share.points;
+    share.free += ground.at(point.position_m) == placing::Cell::Free;
+  }
+  const auto best = std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+    return a.second.free_share() < b.second.free_share();
+  });
+  return best == shares.end() ? 0 : best->first;
 }
 
 /// Walks along a piece and says what is there.
@@ -215,10 +241,17 @@ Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
     out.length_m += piece.back().along_m;
     piece.clear();
   };
-  std::optional<WayPoint> before;
+  const std::size_t map = mapOf(way, parts_->options.old_map.value_or(parts_->new_map));
+  std::optional<WayPoint> before, elsewhere;
   for (const WayPoint& point : way) {
-    if (!point.position_m.allFinite() || !std::isfinite(point.stamp_s)) {
+    if (!isUsable(point)) {
       ++out.unusable;
+      continue;
+    }
+    if (point.map != map) {
+      if (elsewhere && isWay(*elsewhere, point))
+        out.elsewhere_m += (point.position_m - elsewhere->position_m).norm();
+      elsewhere = point;
       continue;
     }
     const Sample sample{transform.apply(point.position_m), point.position_m, 0, point.stamp_s, true};

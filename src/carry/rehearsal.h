@@ -31,6 +31,7 @@ struct WayPoint {
   Eigen::Vector2d position_m{0, 0};
   double stamp_s = 0;
   std::size_t piece = 0;  // nothing is known between two points of different ones
+  std::size_t map = 0;    // of those that the robot was on
 };
 
 /// A stretch along which a way meets one thing.
@@ -48,6 +49,7 @@ struct Rehearsed {
   std::size_t points = 0;
   std::size_t unusable = 0;          // points without numbers: left out
   std::size_t jumps = 0;             // nothing is known of the way between two points
+  double elsewhere_m = 0;            // driven on another map: left out, too
   std::vector<Stretch> stretches{};  // all of it, also what is free, in the order of the way
   std::array<double, kCrossings> lengths_m{};
   enum class Reach {
@@ -76,7 +78,9 @@ class Rehearsal {
   Rehearsal(const render::PlacedGrid& new_map, const RehearsalOptions& options);
   ~Rehearsal();
 
-  /// By time. A jump that `way` does not know of is none of its line either.
+  /// By time. A jump that `way` does not know of is none of its line either. Of several maps that the robot
+  /// was on, the one counts on whose free ground most of its way lies: the old map, or without one the new
+  /// map.
   Rehearsed of(const std::vector<WayPoint>& way) const;
 
  private:

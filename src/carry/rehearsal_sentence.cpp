@@ -65,6 +65,9 @@ QString rehearsedText(const Rehearsed& way) {
   if (away_m > way.length_m / 2)
     said << RehearsalText::tr("Most of it lies where this map knows nothing: it may be of another place.");
   said << reachText(way.reach);
+  if (way.elsewhere_m > 0)
+    said << RehearsalText::tr("Driven on another map, not rehearsed: %1 m.")
+                .arg(words::fixed(way.elsewhere_m, 1));
   if (way.jumps > 0)
     said << RehearsalText::tr("Jumps and pauses, where the way is not known: %1.").arg(qint64(way.jumps));
   if (way.unusable > 0)

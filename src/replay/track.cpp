@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -37,8 +38,9 @@ class Collecting {
       ends_ = ends_ || !uuid_.empty();
       uuid_ = list->uuid;
     } else if (const auto* info = std::get_if<map::MapInfo>(&message)) {
-      const auto now = std::pair(info->uid, info->name);
-      ends_ = ends_ || (map_ && *map_ != now);
+      // What was driven before the first one is heard was on it, too.
+      const std::size_t now = maps_.try_emplace({info->uid, info->name}, maps_.size()).first->second;
+      ends_ = ends_ || now != map_;
       map_ = now;
     }
   }
@@ -50,11 +52,12 @@ class Collecting {
       if (ends_) ++piece_;
     }
     ends_ = false;
-    points.push_back({pose.stamp_s, pose.pose, 0, quality_, piece_});
+    points.push_back({pose.stamp_s, pose.pose, 0, quality_, piece_, map_});
   }
 
   std::optional<double> until_s_;
-  std::optional<std::pair<std::string, std::string>> map_;  // uid, name
+  std::map<std::pair<std::string, std::string>, std::size_t> maps_;  // uid, name
+  std::size_t map_ = 0;
   std::string uuid_;
   int quality_ = 0;
   std::size_t piece_ = 0;
@@ -129,7 +132,7 @@ std::vector<TrackPoint> within(const std::vector<TrackPoint>& track, double from
 }
 
 std::string csvOf(const std::vector<TrackPoint>& track) {
-  std::string text = "stamp_s,x_m,y_m,yaw_rad,speed_m_s,quality,piece\n";
+  std::string text = "stamp_s,x_m,y_m,yaw_rad,speed_m_s,quality,piece,map\n";
   for (const TrackPoint& point : track) {
     append(text, point.stamp_s, kStampDecimals);
     for (const auto& [value, decimals] : {std::pair(point.pose.x_m, kMetreDecimals),
@@ -139,7 +142,8 @@ std::string csvOf(const std::vector<TrackPoint>& track) {
       text += ',';
       append(text, value, decimals);
     }
-    text += ',' + std::to_string(point.quality) + ',' + std::to_string(point.piece) + '\n';
+    text += ',' + std::to_string(point.quality) + ',' + std::to_string(point.piece) + ',' +
+            std::to_string(point.map) + '\n';
   }
   return text;
 }
@@ -182,7 +186,8 @@ std::string geoJsonOf(const std::vector<TrackPoint>& track) {
       text += ']';
     }
     text += line ? "]}" : "}";
-    text += R"(,"properties":{"piece":)" + std::to_string(piece.begin->piece) + R"(,"start_s":)";
+    text += R"(,"properties":{"piece":)" + std::to_string(piece.begin->piece) + R"(,"map":)" +
+            std::to_string(piece.begin->map) + R"(,"start_s":)";
     append(text, piece.begin->stamp_s, kStampDecimals);
     text += R"(,"end_s":)";
     append(text, std::prev(piece.end)->stamp_s, kStampDecimals);

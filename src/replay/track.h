@@ -21,6 +21,7 @@ struct TrackPoint {
   double speed_m_s = 0;   // from the neighbouring samples of its piece; 0 if there are none
   int quality = 0;        // the last SlamStatus::position_quality; 0 = unknown
   std::size_t piece = 0;  // counts from 0
+  std::size_t map = 0;    // the same number for the same map of the robot, by name and uid; counts from 0
   bool operator==(const TrackPoint&) const = default;
 };
 
@@ -29,14 +30,14 @@ std::vector<TrackPoint> trackOf(const std::map<Tick, Digest>& digests);
 /// Those from `from_s` to `to_s`, both inclusive.
 std::vector<TrackPoint> within(const std::vector<TrackPoint>& track, double from_s, double to_s);
 
-/// Columns: stamp_s, x_m, y_m, yaw_rad, speed_m_s, quality, piece. Lines end in "
+/// Columns: stamp_s, x_m, y_m, yaw_rad, speed_m_s, quality, piece, map. Lines end in "
 /// ".
 std::string csvOf(const std::vector<TrackPoint>& track);
 /// "timestamp tx ty tz qx qy qz qw", as in the TUM RGB-D benchmark. The format has no pieces.
 std::string tumOf(const std::vector<TrackPoint>& track);
 /// A FeatureCollection with one LineString per piece (a Point for a single sample). Coordinates are metres of
-/// the map (see "units" of the collection), not degrees. Properties: "piece", "start_s", "end_s", "length_m",
-/// and the samples' "stamps_s", "yaws_rad", "speeds_m_s", "qualities".
+/// the map (see "units" of the collection), not degrees. Properties: "piece", "map", "start_s", "end_s",
+/// "length_m", and the samples' "stamps_s", "yaws_rad", "speeds_m_s", "qualities".
 std::string geoJsonOf(const std::vector<TrackPoint>& track);
 
 }  // namespace mapwright::replay

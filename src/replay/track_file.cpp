@@ -25,7 +25,7 @@ std::optional<double> numberFrom(const QByteArray& word) {
 TrackRead fromCsv(const QList<QByteArray>& lines) {
   const QList<QByteArray> head = lines[0].trimmed().split(',');
   const qsizetype stamp = head.indexOf("stamp_s"), x = head.indexOf("x_m"), y = head.indexOf("y_m"),
-                  yaw = head.indexOf("yaw_rad"), piece = head.indexOf("piece");
+                  yaw = head.indexOf("yaw_rad"), piece = head.indexOf("piece"), map = head.indexOf("map");
   if (stamp < 0 || x < 0 || y < 0) return tl::make_unexpected(1);
   std::vector<TrackPoint> track;
   for (qsizetype i = 1; i < lines.size(); ++i) {
@@ -36,10 +36,13 @@ TrackRead fromCsv(const QList<QByteArray>& lines) {
       return column < words.size() ? numberFrom(words[column]) : std::nullopt;
     };
     const auto stamp_s = number(stamp, 0), x_m = number(x, 0), y_m = number(y, 0), yaw_rad = number(yaw, 0),
-               of_piece = number(piece, 0);
-    if (!stamp_s || !x_m || !y_m || !yaw_rad || !of_piece || !(*of_piece >= 0 && *of_piece < 1e9))
+               of_piece = number(piece, 0), of_map = number(map, 0);
+    const auto counts = [](const std::optional<double>& value) {
+      return value && *value >= 0 && *value < 1e9;
+    };
+    if (!stamp_s || !x_m || !y_m || !yaw_rad || !counts(of_piece) || !counts(of_map))
       return tl::make_unexpected(std::size_t(i + 1));
-    track.push_back({*stamp_s, {*x_m, *y_m, *yaw_rad}, 0, 0, std::size_t(*of_piece)});
+    track.push_back({*stamp_s, {*x_m, *y_m, *yaw_rad}, 0, 0, std::size_t(*of_piece), std::size_t(*of_map)});
   }
   return track;
 }
@@ -72,6 +75,8 @@ TrackRead fromGeoJson(const QByteArray& text) {
                      yaws = properties[QLatin1String("yaws_rad")].toArray(),
                      there = geometry[QLatin1String("coordinates")].toArray();
     const bool line = geometry[QLatin1String("type")] == QLatin1String("LineString");
+    const double map = properties[QLatin1String("map")].toDouble();
+    if (!(map >= 0 && map < 1e9)) return tl::make_unexpected(0);
     const QJsonArray places = line ? there : QJsonArray{there};
     if ((!line && geometry[QLatin1String("type")] != QLatin1String("Point")) ||
         stamps.size() != places.size())
@@ -82,7 +87,8 @@ TrackRead fromGeoJson(const QByteArray& text) {
            {places[i][0].toDouble(kNoNumber), places[i][1].toDouble(kNoNumber), yaws[i].toDouble()},
            0,
            0,
-           piece});
+           piece,
+           std::size_t(map)});
     }
     ++piece;
   }

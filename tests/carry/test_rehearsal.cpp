@@ -1,4 +1,5 @@
 // Recorded ways on a new map: what their line crosses there, also against a reading of its own.
+#include <algorithm>
 #include <limits>
 
 #include <QtTest>
@@ -301,6 +302,34 @@ class TestRehearsal : public QObject {
     }
     for (int what = 0; what < carry::kCrossings; ++what)
       QVERIFY(seen[std::size_t(what)] > 2 || (Crossing(what) == Crossing::TooClose && radius == 0));
+  }
+
+  void ofTwoMapsThatTheRobotWasOnTheOldOneCounts() {
+    // 4 m on another map, in coordinates of its own, then the way on this one.
+    std::vector<WayPoint> way = wayAlong({{118, 4}, {122, 4}});
+    for (WayPoint& point : way) point.map = 1, point.stamp_s -= 500;
+    const std::size_t before = way.size();
+    for (WayPoint point : kThroughTheDoor) {
+      point.piece = 1;
+      way.push_back(point);
+    }
+    for (const bool swapped : {false, true}) {
+      if (swapped) std::rotate(way.begin(), way.begin() + std::ptrdiff_t(before), way.end());
+      const Rehearsed found = rehearsed(hall(), way);
+      QCOMPARE(found.points, kThroughTheDoor.size());
+      QVERIFY(std::abs(found.length_m - 16) < 1e-6);
+      QVERIFY(std::abs(found.elsewhere_m - 4) < 1e-6);
+      QVERIFY(found.free());
+      QCOMPARE(found.jumps, std::size_t(0));
+      QVERIFY2(
+          carry::rehearsedText(found).contains(QLatin1String("Driven on another map, not rehearsed: 4.0 m.")),
+          qPrintable(carry::rehearsedText(found)));
+    }
+    // With an old map it is that one which counts, wherever the new one lies.
+    const Plan old_map = hall();
+    const carry::Rehearsal onto(gridOf(mappedAgain(old_map, kTruth, 0.05)),
+                                {.transform = kTruth, .old_map = gridOf(old_map)});
+    QCOMPARE(onto.of(way).points, kThroughTheDoor.size());
   }
 
   void whatScriptsReadStays() {

@@ -186,10 +186,30 @@ class ReplayTrackTest : public QObject {
 
   void csvHasARowForEachSample() {
     const std::string text = csvOf(within(trackOf(digestsOf(straight(10), 10)), kStart + 1, kStart + 1.25));
-    QCOMPARE(text, std::string("stamp_s,x_m,y_m,yaw_rad,speed_m_s,quality,piece\n"
-                               "1717405201.500000,1.000000,2.000000,0.000000000,1.000000,0,0\n"
-                               "1717405201.625000,1.125000,2.000000,0.000000000,1.000000,0,0\n"
-                               "1717405201.750000,1.250000,2.000000,0.000000000,1.000000,0,0\n"));
+    QCOMPARE(text, std::string("stamp_s,x_m,y_m,yaw_rad,speed_m_s,quality,piece,map\n"
+                               "1717405201.500000,1.000000,2.000000,0.000000000,1.000000,0,0,0\n"
+                               "1717405201.625000,1.125000,2.000000,0.000000000,1.000000,0,0,0\n"
+                               "1717405201.750000,1.250000,2.000000,0.000000000,1.000000,0,0,0\n"));
+  }
+
+  void aMapThatComesBackHasItsNumberAgain() {
+    Bag bag = straight(8);
+    for (const auto& [at_s, uid] : {std::pair(1.0, "a"), {3.0, "b"}, {5.0, "a"}})
+      bag.push_back(say(at_s, "/map/info", onMap(uid)));
+    std::stable_sort(bag.begin(), bag.end(),
+                     [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
+    const auto track = trackOf(digestsOf(bag, 10));
+    const auto mapAt = [&](double at_s) {
+      return within(track, kStart + at_s, kStart + at_s + 0.3).front().map;
+    };
+    QCOMPARE(mapAt(0.6), std::size_t(0));
+    QCOMPARE(mapAt(4), std::size_t(1));
+    QCOMPARE(mapAt(7), std::size_t(0));
+    for (const std::string& text : {csvOf(track), geoJsonOf(track)}) {
+      const auto read = trackFrom(text);
+      QVERIFY(read && read->size() == track.size());
+      for (std::size_t i = 0; i < track.size(); ++i) QCOMPARE((*read)[i].map, track[i].map);
+    }
   }
 
   void tumHasQuaternions() {

@@ -261,7 +261,7 @@ void RehearsalController::run(const QString& track_file) {
           [this] { forget(tr("This is no track. Choose a recording, or a track that was exported.")); });
     std::vector<carry::WayPoint> way;
     for (const replay::TrackPoint& point : *track)
-      way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece});
+      way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece, point.map});
     post([this, found = carry::Rehearsal(map, options).of(way)] { onRehearsed(found); });
   });
 }
