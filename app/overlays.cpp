@@ -129,9 +129,12 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   if (!of) return passOn(of);
   const auto held = heldBy(*of);
   if (!held) return failureOf(*of, held.error());
-  if (const auto trouble = disk::writeFile(args.output, held->text, existingBy(args.force)))
-    return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   const auto document = OverlayDocument::read(held->text);
+  // Nothing at all is no GeoJSON: set and validate would not take it.
+  const bool nothing = held->text.find_first_not_of(" \t\r\n") == std::string::npos;
+  const std::string bytes = nothing ? "{\"type\":\"FeatureCollection\",\"features\":[]}\n" : held->text;
+  if (const auto trouble = disk::writeFile(args.output, bytes, existingBy(args.force)))
+    return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   if (!document) {
     of->robot->addRemark(of->robot->about(
         Text::tr("Its overlays cannot be read. %1").arg(sentences::sentenceOf(document.error()))));

@@ -61,6 +61,34 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(run("get -o base.geojson --force").code, 0);
   }
 
+  void withoutAnyAnEmptyCollectionIsWrittenThatCanBeSet() {
+    program_->put("none.pgm", "P5\n2 2\n255\n" + QByteArray(4, char(254)));
+    program_->put("none.yaml",
+                  "image: none.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    const auto on_file = [&](const char* words) {
+      return program_->run(QString::fromLatin1(words).split(QLatin1Char(' ')));
+    };
+    const Ended got = on_file("overlays get -o none.geojson --robot none.yaml");
+    QCOMPARE(got.code, 0);
+    QCOMPARE(got.out, QStringLiteral("none.geojson: 0 features\n"));
+    QCOMPARE(program_->bytes("none.geojson"),
+             QByteArray("{\"type\":\"FeatureCollection\",\"features\":[]}\n"));
+    QCOMPARE(on_file("overlays get -o - --robot none.yaml").out.toUtf8(), program_->bytes("none.geojson"));
+    QVERIFY(on_file("overlays set none.geojson --base none.geojson --json --robot none.yaml")
+                .object()[QStringLiteral("conflicts")]
+                .toArray()
+                .isEmpty());
+    QByteArray one = program_->bytes("none.geojson");
+    one.replace("[]", R"([{"type":"Feature","id":"a","geometry":{"type":"Point","coordinates":[0.05,0.05]},)"
+                      R"("properties":{"type":11}}])");
+    program_->put("one.geojson", one);
+    const Ended set = on_file("overlays set one.geojson --base none.geojson --json --robot none.yaml");
+    QVERIFY2(set.code == 0, qPrintable(set.err + set.out));
+    QCOMPARE(set.object()[QStringLiteral("theirs")].toInt(), 0);
+    QVERIFY(on_file("overlays get -o - --robot none.yaml").out.contains(QStringLiteral("\"id\":\"a\"")));
+  }
+
   void onlyWhatWasEditedIsChanged() {
     program_->put("mine.geojson", edited("\"Virtual wall\"", "\"Wall <b>17</b> 😀\""));
     const Ended plan = run("plan mine.geojson --base base.geojson --json");
