@@ -182,11 +182,24 @@ class TestWindowCarry : public QObject {
     bench.openList();
     QCOMPARE(bench.column(CarryModel::Called).join(u'|'), QStringLiteral("Rack 10|Rack 9|Hall|Yard|Dock"));
     QCOMPARE(bench.column(CarryModel::Became).join(u'|'),
-             QStringLiteral("kept|kept|in an obstacle|outside|on the new map already"));
+             QStringLiteral("kept|kept|in an obstacle|outside|there already"));
     QCOMPARE(bench.carry().said(), QStringLiteral("2 sound, 2 to look at (1 in an obstacle, 1 outside), 1 on "
                                                   "the new map already"));
     QCOMPARE(bench.column(CarryModel::WallsOff)[3], QStringLiteral("–"));
     QVERIFY(bench.column(CarryModel::WallsOff)[0].toDouble() < 0.1);
+  }
+
+  void inANarrowPanelNeitherTheHeadsNorTheVerdictsAreCut() {
+    CarryBench bench;
+    bench.old_store.points[0].name = "Rack 10 behind the second door of the hall on the ground floor";
+    bench.openList();
+    bench.window->resize(1366, 768);
+    QTableView* const table = bench.carry().table();
+    QHeaderView* const header = table->horizontalHeader();
+    QTRY_VERIFY(header->length() <= table->viewport()->width());
+    QTRY_VERIFY(header->sectionSize(CarryModel::Called) < table->sizeHintForColumn(CarryModel::Called));
+    QVERIFY(header->sectionSize(CarryModel::WallsOff) >= header->sectionSizeHint(CarryModel::WallsOff));
+    QVERIFY(header->sectionSize(CarryModel::Became) >= table->sizeHintForColumn(CarryModel::Became));
   }
 
   void anotherMapOfTheRobotHasItsOwnWaypoints() {
@@ -351,8 +364,7 @@ class TestWindowCarry : public QObject {
     bench.openOverlays();
     QCOMPARE(bench.overlayColumn(CarryModel::Called),
              QStringLiteral("Charger|Standby point Docking|Waypoint Yard|Waypoint Known|Virtual wall W17"));
-    QCOMPARE(bench.overlayColumn(CarryModel::Became),
-             QStringLiteral("kept|kept|outside|on the new map already|kept"));
+    QCOMPARE(bench.overlayColumn(CarryModel::Became), QStringLiteral("kept|kept|outside|there already|kept"));
     QCOMPARE(bench.overlays().dock()->said(),
              QStringLiteral("3 sound, 1 to look at (1 outside), 1 on the new map already"));
     // A click shows what would become of it.
@@ -377,11 +389,10 @@ class TestWindowCarry : public QObject {
                 ->texts()
                 .contains(QStringLiteral("3 features carried over. Nothing has been sent or saved yet.")));
     QCOMPARE(bench.overlayColumn(CarryModel::Became),
-             QStringLiteral("carried over|carried over|outside|on the new map already|carried over"));
+             QStringLiteral("carried over|carried over|outside|there already|carried over"));
     bench.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(bench.overlayEditing().document().mine().features().size(), std::size_t(1));
-    QCOMPARE(bench.overlayColumn(CarryModel::Became),
-             QStringLiteral("kept|kept|outside|on the new map already|kept"));
+    QCOMPARE(bench.overlayColumn(CarryModel::Became), QStringLiteral("kept|kept|outside|there already|kept"));
   }
 
   void overlaysThatReferToEachOtherGoTogether() {
@@ -390,7 +401,7 @@ class TestWindowCarry : public QObject {
     bench.clickOverlay(1);
     QTest::mouseClick(bench.overlays().dock()->selectedButton(), Qt::LeftButton);
     QCOMPARE(bench.overlayColumn(CarryModel::Became),
-             QStringLiteral("carried over|carried over|outside|on the new map already|kept"));
+             QStringLiteral("carried over|carried over|outside|there already|kept"));
     QVERIFY(bench.overlayAt("c1") && bench.overlayAt("d1") && !bench.overlayAt("w1"));
   }
 
@@ -401,7 +412,7 @@ class TestWindowCarry : public QObject {
         R"("coordinates":[7,2]},"properties":{"type":"10","name":"Docking"}}]})";
     bench.openOverlays();
     QCOMPARE(bench.overlayColumn(CarryModel::Became),
-             QStringLiteral("left out|on the new map already|outside|kept|kept"));
+             QStringLiteral("left out|there already|outside|kept|kept"));
     bench.clickOverlay(0);
     QVERIFY(!bench.overlays().dock()->selectedButton()->isEnabled());
     QTest::mouseClick(bench.overlays().dock()->soundButton(), Qt::LeftButton);

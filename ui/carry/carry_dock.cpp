@@ -52,12 +52,12 @@ CarryDock::CarryDock(const CarryWords& words, const QString& name, QWidget* pare
   header->setSortIndicator(-1, Qt::AscendingOrder);  // as the old map lists them
   table_->setSortingEnabled(true);
   const auto wide = [this](const QString& text) { return fontMetrics().horizontalAdvance(text) + 28; };
-  header->resizeSection(
-      CarryModel::WallsOff,
-      wide(model_->headerData(CarryModel::WallsOff, Qt::Horizontal, Qt::DisplayRole).toString()));
-  header->resizeSection(CarryModel::Became, wide(tr("on the new map already")));
+  const int off_px =
+      wide(model_->headerData(CarryModel::WallsOff, Qt::Horizontal, Qt::DisplayRole).toString());
+  header->resizeSection(CarryModel::WallsOff, off_px);
+  header->resizeSection(CarryModel::Became, wide(tr("in an obstacle")) + 20);  // with its mark
   new NameColumn(table_, header, CarryModel::Called,
-                 {{CarryModel::WallsOff, 60, false}, {CarryModel::Became, 90, false}});
+                 {{CarryModel::WallsOff, off_px, false}, {CarryModel::Became, 90, false}});
   auto* const buttons = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {sound_, selected_, leave_out_}) buttons->add(button);
   auto* const options = new WrappingRow(QMargins(), 8);

@@ -31,7 +31,7 @@ QString becameText(const CarryRow& row) {
     case CarryRow::State::Carried:
       return CarryModel::tr("carried over");
     case CarryRow::State::There:
-      return CarryModel::tr("on the new map already");
+      return CarryModel::tr("there already");
     case CarryRow::State::Open:
       return carry::verdictText(row.carried.verdict);
   }
@@ -157,7 +157,7 @@ QVariant CarryModel::headerData(int section, Qt::Orientation orientation, int ro
     case Became:
       return tr("Became");
     case WallsOff:
-      return tr("Walls off (m)");
+      return tr("Off (m)");
   }
   return {};
 }
