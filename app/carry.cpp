@@ -25,6 +25,7 @@
 #include "disk/written_file.h"
 #include "exchange/waypoint_json.h"
 #include "page/page.h"
+#include "overlays/overlay_box.h"
 #include "robot/overlay_store.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
@@ -345,7 +346,8 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
       row.with << words::plainName(feature.name().empty() ? feature.id() : feature.name());
       row.with_ids.push_back(feature.id());
     }
-    if (row.goes(args.all)) going.add(one.moved);
+  qint64 boxes = 0;
+    if (row.goes(args.all)) going.add(one.moved), boxes += one.box_removed;
     rows.push_back(std::move(row));
   }
   const auto odd = qint64(documents[0].features().size() - carried.size());
@@ -362,6 +364,11 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
 
 void addCarry(Commands& commands, CLI::App& parent, CarriedKind kind) {
   const auto args = std::make_shared<CarryArguments>();
+  if (boxes > 0)
+    to->addRemark(Text::tr("Boxes (bbox) left out because they did not fit their overlay: %1.").arg(boxes));
+  const bool any = going.features().size() > documents[1].features().size();
+  if (any && !overlays::rebox(going, documents[1]))
+    to->addRemark(Text::tr("The box (bbox) of the new map's overlays did not fit them, and stays as it is."));
   const bool waypoints = kind == CarriedKind::Waypoints;
   CLI::App* const command =
       addReading(commands, parent, "carry",

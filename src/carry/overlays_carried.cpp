@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "overlays/overlay_box.h"
 #include "overlays/overlay_check.h"
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_reach.h"
@@ -107,6 +108,8 @@ std::vector<CarriedFeature> carriedOverlays(const Site& site, const OverlayDocum
     if (const auto yaw = overlays::yawOf(moved)) carried.spot.yaw_rad = geometry::radiansFromDegrees(*yaw);
     const bool is_there = feature.id().empty() ? isThere(moved, new_overlays) : there.contains(feature.id());
     all.push_back({i, std::move(moved), carried, is_there});
+    if (auto boxed = overlays::reboxed(all.back().moved, feature))
+      all.back().moved = std::move(boxed->feature), all.back().box_removed = boxed->removed;
   }
   // Reached from the chargers, around walls and forbidden regions of both maps.
   OverlayDocument together = new_overlays;

@@ -14,6 +14,7 @@ struct CarriedFeature {
   Carried carried;             // the verdict on the worst of its group, if `with` is not empty
   bool there_already = false;  // the new map has it, by its id or else in the same place: that stays as it is
   bool one_there = false;      // one of its group is: it is left out, too
+  bool box_removed = false;    // its `bbox`, which did not fit it on the old map
   /// Others that it refers to, or that refer to it: they go together or not at all. Indices of the old
   /// document.
   std::vector<std::size_t> with = {};

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "carry/overlays_carried.h"
+#include "overlays/overlay_box.h"
 #include "overlays/overlay_shapes.h"
 #include "site.h"
 #include "test_program.h"
@@ -64,6 +65,72 @@ class TestOverlaysCarried : public QObject {
     QVERIFY((wall[1] - kTruth.apply({4, 8})).norm() < 1e-3);
     QVERIFY(all[3].moved.text().find(R"("kept":[1.50])") != std::string::npos);
     QVERIFY(all[3].moved.text().find(",0.5]") != std::string::npos);  // its height
+  }
+
+  void aBoxThatWasRightIsRightThereToo() {
+    const std::string boxed =
+        R"({"type":"Feature","bbox":[2,7,0.5, 4,8,0.5],"geometry":{"type":"LineString",)"
+        R"("bbox": [2.0, 7, 4, 8],"coordinates":[[2,7,0.5],[4,8]]},)"
+        R"("properties":{"lineType":"2","kept":[1.50]}})";
+    const auto all = carriedTo({}, documentOf({boxed, kWall}));
+    QVERIFY(!all[0].box_removed && !all[1].box_removed);
+    const auto points = overlays::shapesOf(all[0].moved).paths.front().points;
+    const auto root = all[0].moved.root();
+    const auto outer = root.member("bbox")->children(),
+               inner = root.member("geometry")->member("bbox")->children();
+    QCOMPARE(outer.size(), std::size_t(6));
+    QCOMPARE(inner.size(), std::size_t(4));
+    for (int axis = 0; axis < 2; ++axis) {
+      const double low = std::min(points[0][axis], points[1][axis]);
+      const double high = std::max(points[0][axis], points[1][axis]);
+      QCOMPARE(outer[std::size_t(axis)].number(), low);
+      QCOMPARE(outer[std::size_t(axis) + 3].number(), high);
+      QCOMPARE(inner[std::size_t(axis)].number(), low);
+      QCOMPARE(inner[std::size_t(axis) + 2].number(), high);
+    }
+    QCOMPARE(std::string(outer[2].text()), std::string("0.5"));
+    QVERIFY(all[0].moved.text().find(R"("kept":[1.50])") != std::string::npos);
+  }
+
+  void aBoxThatWasWrongIsLeftOutAndSaid_data() {
+    QTest::addColumn<QByteArray>("box");
+    QTest::newRow("elsewhere") << QByteArray("[2,7,5,8]");
+    QTest::newRow("too few numbers") << QByteArray("[2,7]");
+    QTest::newRow("no numbers") << QByteArray("[2,7,\"4\",8]");
+    QTest::newRow("no list") << QByteArray("null");
+  }
+  void aBoxThatWasWrongIsLeftOutAndSaid() {
+    QFETCH(QByteArray, box);
+    const std::string line = R"({"type":"LineString","coordinates":[[2,7],[4,8]])";
+    const std::string bbox = ",\"bbox\":" + box.toStdString();
+    const std::string tail = R"(,"properties":{"lineType":"2"}})";
+    const auto all =
+        carriedTo({}, documentOf({R"({"type":"Feature")" + bbox + ",\"geometry\":" + line + "}" + tail,
+                                  R"({"type":"Feature","geometry":)" + line + bbox + "}" + tail}));
+    for (const CarriedFeature& one : all) {
+      QVERIFY(one.box_removed);
+      QVERIFY2(one.moved.text().find("bbox") == std::string::npos, one.moved.text().c_str());
+      QCOMPARE(overlays::shapesOf(one.moved).paths.front().points.size(), std::size_t(2));
+    }
+  }
+
+  void theBoxOfTheWholeCollectionGrowsIfItWasRight() {
+    const auto collection = [](const std::string& box) {
+      return *OverlayDocument::read(R"({"type":"FeatureCollection","bbox":)" + box + R"(,"features":[)" +
+                                    kWall + "]}");
+    };
+    OverlayDocument right = collection("[2, 7, 4, 8]");
+    const OverlayDocument before = right;
+    right.add(overlays::Feature(point("p", 10, 5, "{}")));
+    QVERIFY(overlays::rebox(right, before));
+    QVERIFY2(right.text().find(R"("bbox":[2, 5, 10, 8])") != std::string::npos, right.text().c_str());
+    OverlayDocument wrong = collection("[0,0,4,8]");
+    const OverlayDocument wrong_before = wrong;
+    wrong.add(overlays::Feature(point("p", 10, 5, "{}")));
+    QVERIFY(!overlays::rebox(wrong, wrong_before));
+    QVERIFY(wrong.text().find("[0,0,4,8]") != std::string::npos);
+    OverlayDocument none = documentOf({kWall});
+    QVERIFY(overlays::rebox(none, none));
   }
 
   void aChargerAndItsDockingPointGoTogetherOrNotAtAll() {

@@ -1,0 +1,22 @@
+// The `bbox` of features and of their collection: RFC 7946, section 5. Pure.
+#pragma once
+
+#include <optional>
+
+#include "overlays/overlay_document.h"
+
+namespace mapwright::overlays {
+
+/// `moved` is `before` in another place. A box that was right is so again, with all else of it as it was; one
+/// that was not is removed. nullopt: neither it nor its geometry has one.
+struct Reboxed {
+  Feature feature;
+  bool removed = false;  // at least one
+};
+std::optional<Reboxed> reboxed(const Feature& moved, const Feature& before);
+
+/// `after` has other features than `before`. False: the box of its collection was not right before, and stays
+/// as it is.
+bool rebox(OverlayDocument& after, const OverlayDocument& before);
+
+}  // namespace mapwright::overlays
