@@ -18,14 +18,15 @@
 #include "app/map_operand.h"
 #include "app/maps_align.h"
 #include "app/output.h"
+#include "app/site_options.h"
 #include "app/waypoint_list.h"
 #include "carry/carried.h"
 #include "carry/overlays_carried.h"
 #include "carry/verdict_sentence.h"
 #include "disk/written_file.h"
 #include "exchange/waypoint_json.h"
-#include "page/page.h"
 #include "overlays/overlay_box.h"
+#include "page/page.h"
 #include "robot/overlay_store.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
@@ -40,12 +41,9 @@ using carry::Carried;
 using overlays::OverlayDocument;
 using words::text;
 
-/// The options as typed; empty = not given.
-struct CarryArguments : RobotArguments {
-  std::string from, to, transform, resolution, origin, radius, output;
-  std::string page;  // --report NAME.html
-  std::vector<std::string> pairs;
-  bool adjust = false, all = false, dry_run = false, force = false;
+struct CarryArguments : SiteArguments {
+  std::string from, to;
+  bool adjust = false, all = false, dry_run = false;
 };
 
 /// One thing that is carried over.
@@ -70,24 +68,21 @@ struct CarrySite {
 CommandResult<CarrySite> openSite(RobotCommand& command, const CarryArguments& args,
                                   const BeforeMap& before) {
   CarrySite site;
-  const auto pairs = pairsFrom(args.pairs);
-  if (!pairs) return wrong(pairs.error());
-  const auto radius = radiusFrom(args.radius);
-  if (!radius) return wrong(radius.error());
-  const auto transform = transformFrom(args.transform, !pairs->empty());
-  if (!transform) return wrong(transform.error());
+  const auto wishes = wishesFrom(args);
+  if (!wishes) return passOn(wishes);
   auto pair = openMaps(command, {args.from, args.to}, text(args.robot), {args.resolution, args.origin},
                        [&](int index, RobotReading& robot, const QString& id) {
-                         if (index == 1) site.radius_m = *radius ? **radius : robotRadius(robot);
+                         if (index == 1)
+                           site.radius_m = wishes->radius_m ? *wishes->radius_m : robotRadius(robot);
                          return before(index, robot, id);
                        });
   if (!pair) return passOn(pair);
   site.pair = std::move(*pair);
-  if (*transform) {
-    site.transform = **transform;
+  if (wishes->transform) {
+    site.transform = *wishes->transform;
     return site;
   }
-  site.alignment = *align::alignPlaced(site.pair.maps[0], site.pair.maps[1], {.pairs = *pairs});
+  site.alignment = *align::alignPlaced(site.pair.maps[0], site.pair.maps[1], {.pairs = wishes->pairs});
   if (!site.alignment.sure())
     return tl::make_unexpected(CommandFailure{
         kIncomplete, Text::tr("Nothing was carried over. %1").arg(align::alignmentText(site.alignment))});
@@ -339,6 +334,7 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
                                               {site->radius_m, args.adjust});
   std::vector<CarryRow> rows;
   OverlayDocument going = documents[1];
+  qint64 boxes = 0;
   for (const carry::CarriedFeature& one : carried) {
     CarryRow row{one.moved.id(), one.moved.name(), one.carried, one.there_already, one.one_there};
     for (const std::size_t other : one.with) {
@@ -346,7 +342,6 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
       row.with << words::plainName(feature.name().empty() ? feature.id() : feature.name());
       row.with_ids.push_back(feature.id());
     }
-  qint64 boxes = 0;
     if (row.goes(args.all)) going.add(one.moved), boxes += one.box_removed;
     rows.push_back(std::move(row));
   }
@@ -357,6 +352,11 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
                  sentences::formOf(odd)),
         odd));
   }
+  if (boxes > 0)
+    to->addRemark(Text::tr("Boxes (bbox) left out because they did not fit their overlay: %1.").arg(boxes));
+  const bool any = going.features().size() > documents[1].features().size();
+  if (any && !overlays::rebox(going, documents[1]))
+    to->addRemark(Text::tr("The box (bbox) of the new map's overlays did not fit them, and stays as it is."));
   return finish(command, args, Text::tr("Overlays carried over"), *site, rows, going.text());
 }
 
@@ -364,11 +364,6 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
 
 void addCarry(Commands& commands, CLI::App& parent, CarriedKind kind) {
   const auto args = std::make_shared<CarryArguments>();
-  if (boxes > 0)
-    to->addRemark(Text::tr("Boxes (bbox) left out because they did not fit their overlay: %1.").arg(boxes));
-  const bool any = going.features().size() > documents[1].features().size();
-  if (any && !overlays::rebox(going, documents[1]))
-    to->addRemark(Text::tr("The box (bbox) of the new map's overlays did not fit them, and stays as it is."));
   const bool waypoints = kind == CarriedKind::Waypoints;
   CLI::App* const command =
       addReading(commands, parent, "carry",
@@ -383,34 +378,15 @@ void addCarry(Commands& commands, CLI::App& parent, CarriedKind kind) {
                    help(Text::tr("The old map: a map of --robot, a file or address, or ID@ADDRESS")))
       ->required();
   command->add_option("--to", args->to, help(Text::tr("The same for the new map")))->required();
-  command->add_option(
-      "--transform", args->transform,
-      help(Text::tr("X,Y,YAW in metres and degrees, from the old map to the new one; without it "
-                    "the maps are aligned as by maps align")));
-  command
-      ->add_option("--pair", args->pairs,
-                   help(Text::tr("X,Y:X,Y: a point of the old map and the same point of the new one")))
-      ->allow_extra_args(false);
   command->add_flag("--adjust", args->adjust,
                     help(Text::tr("Move each a little further, to where the walls around it are now")));
-  command->add_option("--radius", args->radius,
-                      help(Text::tr("Radius of the robot in metres (default: as it reports, else 0.3)")));
-  command->add_option(
-      "-o,--output", args->output,
-      help(waypoints ? Text::tr("Write the waypoints, for waypoints import; - is the standard output")
-                     : Text::tr("Write the overlays of the new map with those that are carried "
-                                "over, for overlays set; - is the standard output")));
-  command->get_option("--report")
-      ->description(help(
-          Text::tr("Write a report: a page for people if it ends in .html, else JSON with all warnings")));
-  addForce(*command, args->force);
   command->add_flag("--all", args->all, help(Text::tr("Also carry over what is not sound")));
   command->add_flag("--dry-run", args->dry_run, help(Text::tr("Only say what would become of each")));
-  command->add_option("--resolution", args->resolution,
-                      help(Text::tr("Metres per cell of a plain picture file (default: 0.05)")));
-  command->add_option("--origin", args->origin,
-                      help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
-  addJson(*command, args->json);
+  addSiteOptions(*command, *args,
+                 waypoints
+                     ? Text::tr("Write the waypoints, for waypoints import; - is the standard output")
+                     : Text::tr("Write the overlays of the new map with those that are carried over, for "
+                                "overlays set; - is the standard output"));
 }
 
 }  // namespace mapwright::app

@@ -17,6 +17,7 @@
 #include "app/maps_align.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
+#include "app/site_options.h"
 #include "carry/rehearsal.h"
 #include "carry/rehearsal_sentence.h"
 #include "disk/written_file.h"
@@ -37,13 +38,10 @@ using words::text;
 
 constexpr std::size_t kMostTrackBytes = 256 << 20;
 
-/// The options as typed; empty = not given.
-struct RehearseArguments : RobotArguments {
+struct RehearseArguments : SiteArguments {
   RehearseArguments() { timeout_s = 300; }
-  std::string map, from, transform, resolution, origin, radius, output;
-  std::string page;  // --report NAME.html
-  std::vector<std::string> ways, pairs;
-  bool force = false;
+  std::string map, from;
+  std::vector<std::string> ways;
 };
 
 struct RehearsedWay {
@@ -107,29 +105,26 @@ CommandResult<std::vector<carry::WayPoint>> wayOf(RobotCommand& command, const R
 
 CommandResult<RehearsalSite> openRehearsal(RobotCommand& command, const RehearseArguments& args) {
   RehearsalSite site;
-  const auto pairs = pairsFrom(args.pairs);
-  if (!pairs) return wrong(pairs.error());
-  const auto radius = radiusFrom(args.radius);
-  if (!radius) return wrong(radius.error());
-  const auto transform = transformFrom(args.transform, !pairs->empty());
-  if (!transform) return wrong(transform.error());
-  if (!pairs->empty() && args.from.empty())
+  const auto wishes = wishesFrom(args);
+  if (!wishes) return passOn(wishes);
+  if (!wishes->pairs.empty() && args.from.empty())
     return wrong(Text::tr("--pair needs --from, the old map that it is a point of."));
   std::vector<std::string> maps{args.map};
   if (!args.from.empty()) maps.insert(maps.begin(), args.from);
   auto opened = openMaps(command, maps, text(args.robot), {args.resolution, args.origin},
                          [&](int index, RobotReading& robot, const QString&) {
                            if (index + 1 == int(maps.size()))
-                             site.options.radius_m = *radius ? **radius : robotRadius(robot);
+                             site.options.radius_m =
+                                 wishes->radius_m ? *wishes->radius_m : robotRadius(robot);
                            return std::optional<CommandFailure>();
                          });
   if (!opened) return passOn(opened);
   site.opened = std::move(*opened);
   if (!args.from.empty()) site.options.old_map = site.opened.maps[0];
-  if (*transform) {
-    site.options.transform = **transform;
+  if (wishes->transform) {
+    site.options.transform = *wishes->transform;
   } else if (!args.from.empty()) {
-    site.alignment = *align::alignPlaced(site.opened.maps[0], site.opened.maps[1], {.pairs = *pairs});
+    site.alignment = *align::alignPlaced(site.opened.maps[0], site.opened.maps[1], {.pairs = wishes->pairs});
     if (!site.alignment.sure())
       return tl::make_unexpected(CommandFailure{
           kIncomplete, Text::tr("Nothing was rehearsed. %1").arg(align::alignmentText(site.alignment))});
@@ -170,12 +165,12 @@ QJsonObject rehearsalJson(const RehearsalSite& site, const std::vector<Rehearsed
     all << QJsonObject{{QStringLiteral("name"), text(one.name)},
                        {QStringLiteral("free"), one.way.free()},
                        {QStringLiteral("length_m"), one.way.length_m},
-                       {QStringLiteral("elsewhere_m"), one.way.elsewhere_m},
                        {QStringLiteral("start_s"), one.way.from_s},
                        {QStringLiteral("end_s"), one.way.to_s},
                        {QStringLiteral("reach"), reachName(one.way.reach)},
                        {QStringLiteral("jumps"), qint64(one.way.jumps)},
                        {QStringLiteral("left_out"), qint64(one.way.unusable)},
+                       {QStringLiteral("elsewhere_m"), one.way.elsewhere_m},
                        {QStringLiteral("stretches"), stretches}};
   }
   return {{QStringLiteral("transform"), transformJson(site.options.transform)},
@@ -358,30 +353,9 @@ void addMapRehearsal(Commands& commands, CLI::App& maps) {
   command->add_option("--from", args->from,
                       help(Text::tr("The old map that they were driven on; it is aligned with the new one. "
                                     "Without it they lie on the new map as they are")));
-  command->add_option(
-      "--transform", args->transform,
-      help(Text::tr("X,Y,YAW in metres and degrees, from the old map to the new one, instead of aligning")));
-  command
-      ->add_option("--pair", args->pairs,
-                   help(Text::tr("X,Y:X,Y: a point of the old map and the same point of the new one")))
-      ->allow_extra_args(false);
-  command->add_option(
-      "--radius", args->radius,
-      help(Text::tr("Radius of the robot in metres (default: as it reports, else 0.3); 0: only "
-                    "what the way itself meets counts")));
-  command->add_option("-o,--output", args->output,
-                      help(Text::tr("Write the ways, cut where they meet something, as GeoJSON; - is the "
-                                    "standard output")));
-  command->get_option("--report")
-      ->description(help(
-          Text::tr("Write a report: a page for people if it ends in .html, else JSON with all warnings")));
-  addForce(*command, args->force);
-  command->add_option(
-      "--resolution", args->resolution,
-      help(Text::tr("Metres per cell of a plain picture file or of submaps (default: 0.05)")));
-  command->add_option("--origin", args->origin,
-                      help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
-  addJson(*command, args->json);
+  addSiteOptions(
+      *command, *args,
+      Text::tr("Write the ways, cut where they meet something, as GeoJSON; - is the standard output"));
 }
 
 }  // namespace mapwright::app
