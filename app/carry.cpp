@@ -64,6 +64,16 @@ struct CarrySite {
   double radius_m = 0;
 };
 
+const QString kOfSubmaps = QStringLiteral("submaps");
+
+CommandFailure nothingOnSubmaps(const RobotReading& robot) {
+  return robot
+      .failure(kUsage,
+               Text::tr("Submaps have no waypoints and no overlays of their own. Pass the map that they "
+                        "were placed on as --from."))
+      .value();
+}
+
 /// Nothing is carried over where it is not known how the maps lie.
 CommandResult<CarrySite> openSite(RobotCommand& command, const CarryArguments& args,
                                   const BeforeMap& before) {
@@ -72,6 +82,7 @@ CommandResult<CarrySite> openSite(RobotCommand& command, const CarryArguments& a
   if (!wishes) return passOn(wishes);
   auto pair = openMaps(command, {args.from, args.to}, text(args.robot), {args.resolution, args.origin},
                        [&](int index, RobotReading& robot, const QString& id) {
+                         if (index == 0 && id == kOfSubmaps) return std::optional(nothingOnSubmaps(robot));
                          if (index == 1)
                            site.radius_m = wishes->radius_m ? *wishes->radius_m : robotRadius(robot);
                          return before(index, robot, id);
@@ -268,10 +279,10 @@ CommandResult<int> waypointsCarry(RobotCommand& command, const CarryArguments& a
   std::string new_map;
   std::set<std::string> there;  // names
   const auto site = openSite(command, args, [&](int index, RobotReading& robot, const QString& id) {
-    if (index == 1) new_map = id.toStdString();
     const bool has_none =
         !robot.session().robot().waypointStore() && !robot.session().robot().waypointSource();
-    if (index == 1 && (has_none || id == QLatin1String("submaps"))) return std::optional<CommandFailure>();
+    if (index == 1 && id != kOfSubmaps) new_map = id.toStdString();
+    if (index == 1 && (has_none || id == kOfSubmaps)) return std::optional<CommandFailure>();
     auto list = listWaypoints(robot, id.toStdString(), Use::Reading);
     if (!list) return std::optional(list.error());
     for (const map::Waypoint& point : list->stored.points) {
@@ -322,10 +333,11 @@ CommandResult<int> overlaysCarry(RobotCommand& command, const CarryArguments& ar
   std::array<OverlayDocument, 2> documents;
   RobotReading* to = nullptr;
   const auto site = openSite(command, args, [&](int index, RobotReading& robot, const QString& id) {
+    to = &robot;
+    if (id == kOfSubmaps) return std::optional<CommandFailure>();  // a map that is not saved yet has none
     auto document = overlaysOf(robot, id);
     if (!document) return std::optional(document.error());
     documents[std::size_t(index)] = std::move(*document);
-    to = &robot;
     return std::optional<CommandFailure>();
   });
   if (!site) return passOn(site);

@@ -211,6 +211,21 @@ class NewMapTest : public QObject {
     QVERIFY(program_->bytes("after.overlays.geojson").contains("\"lineType\":\"2\""));
   }
 
+  void onSubmapsNothingLiesYet() {
+    const tests::Ended from =
+        run(QStringLiteral("waypoints carry --from submaps --to after.yaml --robot demo: --dry-run"));
+    QVERIFY2(from.code == 2 && from.err.contains(QLatin1String("Submaps have no waypoints")),
+             qPrintable(from.err));
+    program_->put("before.overlays.geojson",
+                  R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"a","geometry":{)"
+                  R"("type":"Point","coordinates":[1,1]},"properties":{"type":25}}]})");
+    const tests::Ended onto =
+        run(QStringLiteral("overlays carry --from before.yaml --to submaps@demo: --transform 0,0,0 --all "
+                           "-o onto.geojson"));
+    QVERIFY2(onto.code <= 1, qPrintable(onto.err));
+    QVERIFY(program_->bytes("onto.geojson").contains("\"id\":\"a\""));
+  }
+
   void aTransformThatWasLookedAtIsUsed() {
     const tests::Ended carried = run(QStringLiteral(
         "waypoints carry --from before.yaml --to before.yaml --transform 1,0,0 --dry-run --json"));
