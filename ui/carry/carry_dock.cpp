@@ -51,13 +51,14 @@ CarryDock::CarryDock(const CarryWords& words, const QString& name, QWidget* pare
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header->setSortIndicator(-1, Qt::AscendingOrder);  // as the old map lists them
   table_->setSortingEnabled(true);
-  const auto wide = [this](const QString& text) { return fontMetrics().horizontalAdvance(text) + 28; };
-  const int off_px =
-      wide(model_->headerData(CarryModel::WallsOff, Qt::Horizontal, Qt::DisplayRole).toString());
+  header->ensurePolished();
+  // Long names are cut, not these: the heads with the arrow of the sorted one, and verdicts with their marks.
+  const int off_px = header->sectionSizeHint(CarryModel::WallsOff);
+  const int became_px = fontMetrics().horizontalAdvance(tr("in an obstacle")) + 52;
   header->resizeSection(CarryModel::WallsOff, off_px);
-  header->resizeSection(CarryModel::Became, wide(tr("in an obstacle")) + 20);  // with its mark
+  header->resizeSection(CarryModel::Became, became_px);
   new NameColumn(table_, header, CarryModel::Called,
-                 {{CarryModel::WallsOff, off_px, false}, {CarryModel::Became, 90, false}});
+                 {{CarryModel::WallsOff, off_px, false}, {CarryModel::Became, became_px, false}});
   auto* const buttons = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {sound_, selected_, leave_out_}) buttons->add(button);
   auto* const options = new WrappingRow(QMargins(), 8);
