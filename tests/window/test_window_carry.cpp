@@ -398,6 +398,40 @@ class TestWindowCarry : public QObject {
     QCOMPARE(bench.overlayColumn(CarryModel::Became), QStringLiteral("kept|kept|outside|there already|kept"));
   }
 
+  void theBoxOfAllOverlaysGrowsWithThemAndIsTakenBackWithThem() {
+    CarryBench bench;
+    bench.new_overlays.text.insert(1, R"("bbox":[3,8,3,8],)");
+    bench.openOverlays();
+    const auto box = [&] {
+      const auto collection = bench.overlayEditing().document().mine().collection();
+      return std::string(collection->root().member("bbox")->text());
+    };
+    QTest::mouseClick(bench.overlays().dock()->soundButton(), Qt::LeftButton);
+    QCOMPARE(bench.overlayEditing().document().mine().features().size(), std::size_t(4));
+    const auto now = *overlays::JsonText::read(box());
+    const auto sides = now.root().children();
+    QCOMPARE(sides.size(), std::size_t(4));
+    const std::vector<double> around{2, 2, 8, 8};  // the wall, the charger, the charger, what was there
+    for (std::size_t i = 0; i < around.size(); ++i)
+      QVERIFY2(std::abs(sides[i].number() - around[i]) < 0.05, box().c_str());
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(box(), std::string("[3,8,3,8]"));
+    QVERIFY(!bench.overlayEditing().document().unsaved());
+  }
+
+  void aBoxOfAllOverlaysThatWasWrongStaysAndIsSaid() {
+    CarryBench bench;
+    bench.new_overlays.text.insert(1, R"("bbox":[0,0,1,1],)");
+    bench.openOverlays();
+    QTest::mouseClick(bench.overlays().dock()->soundButton(), Qt::LeftButton);
+    QVERIFY(bench.overlayEditing().document().mine().text().find("[0,0,1,1]") != std::string::npos);
+    QVERIFY(part<MapOverlay>(*bench.window)
+                ->toasts()
+                ->texts()
+                .join(u' ')
+                .contains(QLatin1String("The box (bbox) of all overlays did not fit them before")));
+  }
+
   void overlaysThatReferToEachOtherGoTogether() {
     CarryBench bench;
     bench.openOverlays();
