@@ -34,6 +34,7 @@
 #include "robot/second_server.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/view/replay_state.h"
+#include "ui/window/made_of.h"
 #include "ui/window/main_window.h"
 #include "ui/window/work_settings.h"
 #include "words/plain.h"
@@ -145,12 +146,18 @@ int openDemo(const QString& query, int& argc, char** argv) {
 
 int runCommand(int argc, char** argv) {
   std::string robot, demo_query, operand, log_rules;
+  bool version = false, version_json = false;
   AccessArguments access;
   CLI::App cli(
       help(Text::tr(
           "mapwright: view and edit the maps of mobile robots. Without a subcommand it opens the window.")),
       "mapwright");
-  cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
+  CLI::Option* const version_flag =
+      cli.add_flag("--version", version, help(Text::tr("Print the version and exit")));
+  cli.add_flag(
+         "--json", version_json,
+         help(Text::tr("Print version, commit and libraries with their licences as JSON (with --version)")))
+      ->needs(version_flag);
   cli.set_help_all_flag("--help-all", help(Text::tr("Help for all subcommands")));
   cli.require_subcommand(0, 1);
   cli.add_option("--robot", robot,
@@ -188,6 +195,13 @@ int runCommand(int argc, char** argv) {
     if (const auto why = sentenceOnUnknownWord(cli)) return refuse(kUsage, *why);
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
     return refuse(kUsage, Text::tr("%1 (see %2 --help)").arg(why, parsedCommand(cli)));
+  }
+  if (version) {
+    if (version_json)
+      printJson(ui::versionJson());
+    else
+      printLine(QStringLiteral("mapwright " MAPWRIGHT_VERSION));
+    return kDone;
   }
   if (const auto started = startLog(log_rules); !started) return refuse(kUsage, started.error());
   if (const auto code = commands.run({robot, access, argc, argv})) return *code;

@@ -41,6 +41,16 @@ class CommandLineTest : public QObject {
     QVERIFY(run({QStringLiteral("--version")}).out.startsWith(QStringLiteral("mapwright ")));
   }
 
+  void theVersionIsAlsoJson() {
+    const Outcome told = run({QStringLiteral("--version"), QStringLiteral("--json")});
+    QCOMPARE(told.code, 0);
+    const QString version = told.object()[QLatin1String("version")].toString();
+    QCOMPARE(run({QStringLiteral("--version")}).out, QStringLiteral("mapwright %1\n").arg(version));
+    QCOMPARE(told.object()[QLatin1String("qt")][QLatin1String("running")].toString(),
+             QString::fromLatin1(qVersion()));
+    QCOMPARE(run({QStringLiteral("--json")}).code, 2);
+  }
+
   void aCrashIsSaidWithTheCallsThatLedToIt() {
     QProcess process;
     process.setProcessEnvironment(program_.environment());

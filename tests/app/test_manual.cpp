@@ -274,6 +274,7 @@ class ManualTest : public QObject {
     const auto row = [](const char* heading, const char* line) {
       QTest::newRow(line) << QString::fromLatin1(heading) << QString::fromLatin1(line);
     };
+    row("--version", "--version --json");
     row("maps list", "maps list --robot AXBOT --json");
     row("maps list", "maps list --robot map.yaml --json");
     row("maps current", "maps current --robot AXBOT --json");
@@ -351,6 +352,27 @@ class ManualTest : public QObject {
     for (const QJsonValue& row : rows) compare(table, row.toObject(), {}, wrong);
     wrong.removeDuplicates();
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n')) + QLatin1Char('\n') + ended.out));
+  }
+
+  /// The first table of docs/dependencies.md: what the program is made of.
+  void librariesAreThoseOfTheDocuments() {
+    QStringList documented;
+    const QString table = pageOf("docs/dependencies.md").section(QLatin1String("\n## "), 0, 0);
+    static const QRegularExpression row(QStringLiteral("^\\| ([^|]+) \\(([^()]+)\\) \\|"),
+                                        QRegularExpression::MultilineOption);
+    for (auto it = row.globalMatch(table); it.hasNext();) {
+      const auto match = it.next();
+      documented << match.captured(1) + QLatin1Char(' ') + match.captured(2);
+    }
+    const Ended ended = program_.run({QStringLiteral("--version"), QStringLiteral("--json")});
+    QStringList said, unknown;
+    for (const QJsonValue& library : ended.object()[QLatin1String("libraries")].toArray()) {
+      said << library[QLatin1String("name")].toString() + QLatin1Char(' ') +
+                  library[QLatin1String("licence")].toString();
+      if (!library[QLatin1String("version")].isString()) unknown << said.back();
+    }
+    QCOMPARE(said, documented);
+    QVERIFY2(unknown.isEmpty(), qPrintable(unknown.join(QLatin1Char('\n'))));
   }
 
   /// docs/troubleshooting.md says what sentences mean: they are those that the program says.

@@ -1,9 +1,11 @@
 #include "ui/window/shortcut_sheet.h"
 
 #include <QAbstractItemView>
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QDialog>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -17,6 +19,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/window/made_of.h"
 
 namespace mapwright::ui {
 
@@ -151,32 +154,33 @@ QDialog* makeAboutBox(QWidget* parent) {
                                             "Shows what a mobile robot's SLAM sees, submap by submap, live.\n"
                                             "Licensed under the Apache License 2.0."),
                 dialog);
+  const QString commit =
+      builtCommit().isEmpty() ? QCoreApplication::translate("window", "unknown") : builtCommit();
+  auto* built = textLabel(QCoreApplication::translate("window", "Commit %1\nQt %2, compiled against %3")
+                              .arg(commit, runningQt(), compiledQt()),
+                          dialog);
   auto* used = new QLabel(QCoreApplication::translate("window", "Built with"), dialog);
   makeHeading(*used);
-  const QList<Line> libraries{
-      {QStringLiteral("Qt %1").arg(QLatin1String(qVersion())), QStringLiteral("LGPL-3.0")},
-      {QStringLiteral("Protocol Buffers"), QStringLiteral("BSD-3-Clause")},
-      {QStringLiteral("Eigen"), QStringLiteral("MPL-2.0")},
-      {QStringLiteral("Boost"), QStringLiteral("BSL-1.0")},
-      {QStringLiteral("libdeflate"), QStringLiteral("MIT")},
-      {QStringLiteral("libspng"), QStringLiteral("BSD-2-Clause")},
-      {QStringLiteral("simdjson"), QStringLiteral("Apache-2.0")},
-      {QStringLiteral("tl::expected"), QStringLiteral("CC0-1.0")},
-      {QStringLiteral("zlib"), QStringLiteral("Zlib")},
-  };
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(24);
   grid->setVerticalSpacing(0);
   int row = 0;
-  for (const Line& library : libraries) {
-    auto* licence = new PlainLabel(library.keys, dialog);
+  for (const Library& library : libraries()) {
+    auto* licence = new PlainLabel(library.licence, dialog);
     licence->setSecondary(true);
-    grid->addWidget(new PlainLabel(library.what, dialog), row, 0);
-    grid->addWidget(licence, row++, 1);
+    grid->addWidget(new PlainLabel(library.name, dialog), row, 0);
+    grid->addWidget(new PlainLabel(library.version, dialog), row, 1);
+    grid->addWidget(licence, row++, 2);
   }
-  grid->setColumnStretch(1, 1);
-  auto* words =
-      columnOf({name, text, LayoutItem::gap(4), used, grid, LayoutItem::gap(8), closeRow(dialog)}, 8);
+  grid->setColumnStretch(2, 1);
+  auto* copy = new QPushButton(QCoreApplication::translate("window", "&Copy"), dialog);
+  copy->setObjectName(QStringLiteral("secondary"));
+  copy->setToolTip(QCoreApplication::translate("window", "Version, commit and libraries as a text"));
+  QObject::connect(copy, &QPushButton::clicked, dialog,
+                   [] { QGuiApplication::clipboard()->setText(versionText()); });
+  QHBoxLayout* buttons = closeRow(dialog);
+  buttons->insertWidget(1, copy);
+  auto* words = columnOf({name, text, built, LayoutItem::gap(4), used, grid, LayoutItem::gap(8), buttons}, 8);
   dialog->setLayout(rowOf({{picture, 0, Qt::AlignTop}, {words, 1}}, 20, QMargins(20, 20, 20, 16)));
   dialog->setMinimumWidth(440);
   return dialog;

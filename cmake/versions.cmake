@@ -1,0 +1,20 @@
+# Versions of what is found without one: three libraries are headers or come without a file for CMake. Those that stay
+# unknown stay empty.
+function(version_in_header result file name)
+  find_file(VERSION_HEADER_${result} ${file} PATH_SUFFIXES opencv4)
+  set(numbers)
+  if(VERSION_HEADER_${result})
+    foreach(part ${ARGN})
+      file(STRINGS ${VERSION_HEADER_${result}} line REGEX "#define +${name}_${part} +[0-9]+" LIMIT_COUNT 1)
+      if(line MATCHES "([0-9]+)[^0-9]*$")
+        list(APPEND numbers ${CMAKE_MATCH_1})
+      endif()
+    endforeach()
+  endif()
+  list(JOIN numbers "." version)
+  set(${result} "${version}" PARENT_SCOPE)
+endfunction()
+
+version_in_header(EXPECTED_VERSION tl/expected.hpp TL_EXPECTED_VERSION MAJOR MINOR PATCH)
+version_in_header(CLI11_VERSION CLI/Version.hpp CLI11_VERSION MAJOR MINOR PATCH)
+version_in_header(OPENCV_VERSION opencv2/core/version.hpp CV_VERSION MAJOR MINOR REVISION)
