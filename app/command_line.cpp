@@ -145,7 +145,8 @@ int openDemo(const QString& query, int& argc, char** argv) {
 }
 
 int runCommand(int argc, char** argv) {
-  std::string robot, demo_query, operand, log_rules;
+  std::string robot, demo_query, operand;
+  LogArguments log;
   bool version = false, version_json = false;
   AccessArguments access;
   CLI::App cli(
@@ -177,7 +178,7 @@ int runCommand(int argc, char** argv) {
        {addSimulate, addSnapshot, addCompare, addSuite, addMaps, addProjections, addWaypoints, addOverlays,
         addBags, addRecord, addClouds, addSlam, addTopics, addProbe})
     add(commands);
-  addLog(cli, log_rules);
+  addLog(cli, log);
   CLI::App* bench = cli.add_subcommand("bench", help(Text::tr("Run the benchmarks")));
   bench->prefix_command();
   bench->footer(help(
@@ -203,7 +204,7 @@ int runCommand(int argc, char** argv) {
       printLine(QStringLiteral("mapwright " MAPWRIGHT_VERSION));
     return kDone;
   }
-  if (const auto started = startLog(log_rules); !started) return refuse(kUsage, started.error());
+  if (const auto started = startLog(log); !started) return refuse(kUsage, started.error());
   if (const auto code = commands.run({robot, access, argc, argv})) return *code;
   if (bench->parsed()) return benchmarks(bench->remaining());
   if (demo->parsed()) return openDemo(QString::fromStdString(demo_query), argc, argv);

@@ -10,6 +10,8 @@
 
 #include "app/command_text.h"
 #include "app/commands.h"
+#include "app/log_file.h"
+#include "app/output.h"
 #include "net/plain_sentences.h"
 #include "words/plain.h"
 
@@ -52,20 +54,39 @@ void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& messa
   if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "%s\n", qUtf8Printable(message));
 }
 
+std::string lineOf(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+  return words::plainLine(
+      std::string_view(withoutSecrets(qFormatLogMessage(type, context, message).toStdString())));
+}
+
 void writeLine(QtMsgType type, const QMessageLogContext& context, const QString& message) {
-  const std::string line = qFormatLogMessage(type, context, message).toStdString();
-  std::fprintf(stderr, "%s\n", words::plainLine(std::string_view(withoutSecrets(line))).c_str());
+  std::fprintf(stderr, "%s\n", lineOf(type, context, message).c_str());
+}
+
+/// Where the message handler finds it; never destroyed, as Hidden.
+LogFile& logFile() {
+  static LogFile* const file = new LogFile;
+  return *file;
+}
+
+void writeInFile(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+  if (const auto lost = logFile().write(lineOf(type, context, message))) say(*lost);
+  keepQtQuiet(type, context, message);
 }
 
 }  // namespace
 
 Q_LOGGING_CATEGORY(lcApp, "mapwright.app", QtWarningMsg)
 
-void addLog(CLI::App& program, std::string& rules) {
-  program.add_option("--log", rules,
+void addLog(CLI::App& program, LogArguments& args) {
+  program.add_option("--log", args.rules,
                      help(Text::tr("Log to standard error: all, parts of the program such as net,session, or "
                                    "rules of Qt such as mapwright.net.debug=true (or MAPWRIGHT_LOG)")));
-  for (CLI::App* command : program.get_subcommands({})) addLog(*command, rules);
+  program.add_option(
+      "--log-file", args.file,
+      help(Text::tr("Log to this file instead, and everything where there is no --log; at 2 MB it "
+                    "becomes FILE.1, and so on to FILE.4")));
+  for (CLI::App* command : program.get_subcommands({})) addLog(*command, args);
 }
 
 tl::expected<QString, QString> logRules(const QString& typed) {
@@ -104,20 +125,31 @@ tl::expected<QString, QString> logRules(const QString& typed) {
   return rules.join(QLatin1Char('\n'));
 }
 
-tl::expected<void, QString> startLog(const std::string& given) {
-  const bool typed = !given.empty();
-  const QString args = typed ? QString::fromStdString(given) : qEnvironmentVariable("MAPWRIGHT_LOG");
+tl::expected<void, QString> startLog(const LogArguments& given) {
+  const bool typed = !given.rules.empty();
+  QString args = typed ? QString::fromStdString(given.rules) : qEnvironmentVariable("MAPWRIGHT_LOG");
+  const bool in_file = !given.file.empty();
   if (args.trimmed().isEmpty()) {
     qInstallMessageHandler(keepQtQuiet);
-    return {};
+    if (!in_file) return {};
+    args = QStringLiteral("all");
   }
   const auto rules = logRules(args);
   if (!rules) {
     return tl::make_unexpected((typed ? QStringLiteral("--log: ") : QStringLiteral("MAPWRIGHT_LOG: ")) +
                                rules.error());
   }
-  qSetMessagePattern(QStringLiteral("%{time hh:mm:ss.zzz} %{category}: %{message}"));
-  qInstallMessageHandler(writeLine);
+  if (in_file) {
+    if (const auto lost = logFile().open(given.file)) {
+      say(*lost);
+      qInstallMessageHandler(keepQtQuiet);
+      return {};
+    }
+  }
+  // A file is read days later.
+  qSetMessagePattern(in_file ? QStringLiteral("%{time yyyy-MM-dd hh:mm:ss.zzz} %{category}: %{message}")
+                             : QStringLiteral("%{time hh:mm:ss.zzz} %{category}: %{message}"));
+  qInstallMessageHandler(in_file ? writeInFile : writeLine);
   QLoggingCategory::setFilterRules(*rules);
   qCInfo(lcApp, "mapwright %s, Qt %s", MAPWRIGHT_VERSION, qVersion());
   return {};

@@ -1,11 +1,15 @@
 // --log and MAPWRIGHT_LOG: what they switch on, and what never stands in the log.
+#include <sys/resource.h>
+
 #include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
 #include <QTest>
 
 #include "../robot/scripted_bridge.h"
 #include "../robot/scripted_robot.h"
 #include "app/log.h"
+#include "app/log_file.h"
 #include "program.h"
 #include "test_program.h"
 
@@ -128,6 +132,91 @@ class LogTest : public QObject {
     const Outcome outcome = run(QStringLiteral("maps list --log all --robot ") + axbot(robot));
     QVERIFY2(outcome.err.contains("gone"), outcome.err.constData());
     QVERIFY(!outcome.err.contains('\x1b') && !outcome.err.contains("\nmapwright.net: forged"));
+  }
+
+  void theFileHoldsAllOfItAndStandardErrorNothing() {
+    ScriptedRobot robot;
+    serveMaps(robot);
+    const QString list = QStringLiteral("maps list --secret-file %1 --robot %2 --log-file log.txt")
+                             .arg(secretFile(), axbot(robot));
+    robot.answers["/mappings/"] = ScriptedRobot::reply(500, "{\"detail\":\"not with " + kSecret + "\"}",
+                                                       "Content-Type: application/json\r\n");
+    const Outcome first = run(list);
+    QVERIFY2(!first.err.contains("mapwright.net"), first.err.constData());
+    const QByteArray log = program_.bytes("log.txt");
+    QVERIFY2(log.startsWith("# mapwright log\n") && log.contains(" mapwright.net: GET http://127.0.0.1:") &&
+                 log.contains(" mapwright.app: mapwright "),
+             log.constData());
+    QVERIFY2(log.contains("not with ***") && !log.contains(kSecret), log.constData());
+    QCOMPARE(QFileInfo(at("log.txt")).permissions() & QFileDevice::Permissions(0x0077),
+             QFileDevice::Permissions());
+    run(list + QStringLiteral(" --log app"));
+    const QByteArray longer = program_.bytes("log.txt");
+    QVERIFY(longer.startsWith(log) && longer.size() > log.size());
+    QVERIFY(!longer.mid(log.size()).contains("mapwright.net") && !longer.mid(1).contains("# mapwright log"));
+  }
+
+  void whereNoLogCanBeItIsSaidOnceAndTheCommandGoesOn_data() {
+    QTest::addColumn<QString>("file");
+    QTest::newRow("no folder") << QStringLiteral("nowhere/log.txt");
+    QTest::newRow("a folder") << QStringLiteral(".");
+    QTest::newRow("a device") << QStringLiteral("/dev/null");
+    QTest::newRow("another file") << QStringLiteral("notes.txt");
+    QTest::newRow("another file in its row") << QStringLiteral("log");
+  }
+  void whereNoLogCanBeItIsSaidOnceAndTheCommandGoesOn() {
+    QFETCH(QString, file);
+    program_.put("notes.txt", "Buy milk\n");
+    program_.put("log.2", "Buy eggs\n");
+    ScriptedRobot robot;
+    serveMaps(robot);
+    const Outcome outcome = run(QStringLiteral("maps list --robot %1 --log-file %2").arg(axbot(robot), file));
+    QCOMPARE(outcome.code, 0);
+    QVERIFY(outcome.out.contains("Hall"));
+    QCOMPARE(outcome.err.count('\n'), 1);
+    QVERIFY2(outcome.err.startsWith("There is no log in "), outcome.err.constData());
+    QCOMPARE(program_.bytes("notes.txt"), QByteArray("Buy milk\n"));
+    QCOMPARE(program_.bytes("log.2"), QByteArray("Buy eggs\n"));
+  }
+
+  void aFullDiskIsSaidOnceAndTheCommandGoesOn() {
+    ScriptedRobot robot;
+    serveMaps(robot);
+    const QStringList words =
+        QStringLiteral("maps list --robot %1 --log-file full.txt").arg(axbot(robot)).split(QLatin1Char(' '));
+    const Outcome outcome = program_.runForBytes(words, {.in_child = [] {
+                                                   const rlimit most{300, 300};
+                                                   ::setrlimit(RLIMIT_FSIZE, &most);
+                                                 }});
+    QCOMPARE(outcome.code, 0);
+    QVERIFY(outcome.out.contains("Hall"));
+    QCOMPARE(outcome.err.count("The log in full.txt lacks lines: "), 1);
+  }
+
+  void theLogIsBounded() {
+    LogFile log({200, 3});
+    const std::string path = at("bounded").toStdString();
+    QVERIFY(!log.open(path));
+    for (int i = 0; i < 100; ++i) QVERIFY(!log.write("line " + std::to_string(i) + std::string(40, '.')));
+    QByteArray kept;
+    for (const char* name : {"bounded.2", "bounded.1", "bounded"}) {
+      const QByteArray bytes = program_.bytes(name);
+      QVERIFY2(bytes.startsWith("# mapwright log\n") && bytes.size() <= 200, name);
+      kept += bytes;
+    }
+    QVERIFY(!QFile::exists(at("bounded.3")) && !QFile::exists(at("bounded.new")));
+    QVERIFY(kept.contains("line 99.") && kept.contains("line 93.") && !kept.contains("line 92."));
+    QVERIFY(kept.indexOf("line 93.") < kept.indexOf("line 99."));
+  }
+
+  void twoDoNotWriteIntoOne() {
+    LogFile one, other;
+    const std::string path = at("shared").toStdString();
+    QVERIFY(!one.open(path));
+    const auto refused = other.open(path);
+    QVERIFY(refused && refused->contains(QLatin1String("another mapwright")));
+    QVERIFY(!other.write("nothing"));
+    QVERIFY(!program_.bytes("shared").contains("nothing"));
   }
 
   void aSecretIsNeverInTheLog_data() {
