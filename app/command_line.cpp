@@ -36,6 +36,7 @@
 #include "ui/view/replay_state.h"
 #include "ui/window/made_of.h"
 #include "ui/window/main_window.h"
+#include "ui/window/watched_application.h"
 #include "ui/window/work_settings.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
@@ -118,7 +119,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
 /// Opens the window; `address` empty = not connected. Returns the exit code.
 int openWindow(const QString& address, const AccessArguments& args, int& argc, char** argv) {
   chooseWindowPlatform();
-  QApplication application(argc, argv);
+  ui::WatchedApplication application(argc, argv);
   const auto access = RobotAccess::read(args, address);
   if (!access) return refuse(kUsage, access.error());
   if (!haveDisplay()) {
@@ -133,7 +134,7 @@ int openDemo(const QString& query, int& argc, char** argv) {
   const QString address = query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query;
   {
     chooseWindowPlatform();
-    QApplication application(argc, argv);
+    ui::WatchedApplication application(argc, argv);
     if (haveDisplay()) return showWindow(address, {});
   }
   const QString picture = QStringLiteral("mapwright-demo.png");
