@@ -69,15 +69,35 @@ class WindowDiagnosticsTest : public QObject {
     QTRY_COMPARE(crew(), QStringList({QStringLiteral("3"), QStringLiteral("0"), QStringLiteral("0")}));
   }
 
-  void isCopiedAsLinesOfWordsAndFigures() {
+  void isCopiedWithoutAddressesAndSecrets() {
     Bench bench;
     bench.workers = std::make_shared<work::Workers>(3);
-    bench.open();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(test::kAddress, "hush-hush"));
     DiagnosticsDialog* const dialog = openDialog(bench);
     QTest::mouseClick(dialog->copyButton(), Qt::LeftButton);
     const QString copied = QGuiApplication::clipboard()->text();
-    QCOMPARE(copied, dialog->text());
-    QVERIFY(copied.startsWith(QLatin1String("Background work\tThreads\tBusy\tWaiting\nJobs\t3\t0\t0\n")));
+    QVERIFY(copied.contains(QLatin1String("\nBackground work\tThreads\tBusy\tWaiting\nJobs\t3\t0\t0\n")));
+    QVERIFY2(copied.contains(QLatin1String("\nOpen: axbot+http://robot-1, ")), qPrintable(copied));
+    QVERIFY(!copied.contains(QLatin1String("192.0.2.7")) && !copied.contains(QLatin1String("hush")));
+    QGuiApplication::clipboard()->clear();
+    bench.action("copyDiagnostics")->trigger();
+    QVERIFY(QGuiApplication::clipboard()->text().contains(QLatin1String("axbot+http://robot-1")));
+    QVERIFY(dialog->copyButton()->toolTip().contains(QLatin1String("addresses")));
+  }
+
+  void howLongTheWindowWasBusyStandsThere() {
+    Bench bench;
+    Diagnostics now;
+    DiagnosticsDialog dialog([&] { return now; }, bench.settings);
+    QVERIFY(!dialog.text().contains(QLatin1String("busy")));
+    now.stalls.emplace();
+    now.stalls->add(std::chrono::milliseconds(20), {"MapView", QEvent::Timer});
+    now.stalls->add(std::chrono::milliseconds(700), {"MapView", QEvent::Timer});
+    QVERIFY2(dialog.text().contains(QLatin1String("\nless than 16 ms\t0\nless than 33 ms\t1\n")),
+             qPrintable(dialog.text()));
+    QVERIFY(
+        dialog.text().contains(QLatin1String("\n500 ms and longer\t1\nLongest, ms (Timer, MapView)\t700.0")));
   }
 
   void howMessagesArriveStandsThere() {

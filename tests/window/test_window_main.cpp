@@ -294,7 +294,8 @@ class TestWindowMain : public QObject {
     // Everything else acts on a robot, a file, or on what they show.
     const QSet<QByteArray> may{
         // Getting one, the program itself, help.
-        "connect", "demo", "openFile", "quit", "about", "diagnostics", "manual", "palette", "shortcuts",
+        "connect", "demo", "openFile", "quit", "about", "diagnostics", "copyDiagnostics", "manual", "palette",
+        "shortcuts",
         // How maps are to look, and how the window does: remembered, whoever comes next.
         "modeSubmaps", "modeWhole", "modeBoth", "grid", "showIds", "showOutlines", "colorsNormal",
         "colorsIncremental", "colorsActive", "colorsTrajectory", "colorsAge", "colorsVersion",

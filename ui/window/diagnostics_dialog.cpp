@@ -11,6 +11,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
+#include "ui/window/support_text.h"
 #include "ui/window/work_settings.h"
 #include "words/qt_plain.h"
 
@@ -78,8 +79,27 @@ Table transformsOf(const robot::Reception& now) {
   return table;
 }
 
+/// Numbers as they are, so that they fit in a column.
+Table stallsOf(const Stalls& now) {
+  Table table{{QCoreApplication::translate("window", "The window was busy for"),
+               QCoreApplication::translate("window", "Times")},
+              {}};
+  for (std::size_t i = 0; i < now.counts().size(); ++i) {
+    table.rows << Row{
+        i < Stalls::kBelowMs.size()
+            ? QCoreApplication::translate("window", "less than %1 ms").arg(Stalls::kBelowMs[i])
+            : QCoreApplication::translate("window", "%1 ms and longer").arg(Stalls::kBelowMs.back()),
+        QString::number(now.counts()[i])};
+  }
+  const double longest_ms = std::chrono::duration<double, std::milli>(now.longest()).count();
+  table.rows << Row{QCoreApplication::translate("window", "Longest, ms (%1)").arg(now.duringLongest().text()),
+                    QString::number(longest_ms, 'f', 1)};
+  return table;
+}
+
 QList<Table> tablesOf(const Diagnostics& now) {
   QList<Table> tables{threadsOf(now), memoryOf(now)};
+  if (now.stalls) tables << stallsOf(*now.stalls);
   if (now.reception) tables << messagesOf(*now.reception);
   if (now.reception && !now.reception->transforms.empty()) tables << transformsOf(*now.reception);
   return tables;
@@ -103,7 +123,7 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
       settings_(settings),
       threads_(new WholeBox(this)),
       memory_(new WholeBox(this)),
-      copy_(new QPushButton(tr("&Copy"), this)) {
+      copy_(new QPushButton(tr("&Copy diagnostics"), this)) {
   setObjectName(QStringLiteral("diagnostics"));
   setWindowTitle(tr("Diagnostics"));
   auto* const column = column_ = new QVBoxLayout(this);
@@ -146,7 +166,8 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
   copy_->setObjectName(QStringLiteral("secondary"));
   column->addLayout(rowOf({LayoutItem::rest(), copy_, close}));
   connect(close, &QPushButton::clicked, this, &QDialog::accept);
-  connect(copy_, &QPushButton::clicked, this, [this] { Q_EMIT copyWanted(text()); });
+  copy_->setToolTip(leftOutSentence());
+  connect(copy_, &QPushButton::clicked, this, &DiagnosticsDialog::copyWanted);
   auto* const again = new QTimer(this);
   connect(again, &QTimer::timeout, this, &DiagnosticsDialog::refresh);
   again->start(kLookEveryMs);

@@ -1,4 +1,5 @@
-// The program's use of threads and memory; and the limits for the next start.
+// The program's use of threads and memory, and how long its window was busy; and the limits for the next
+// start.
 #pragma once
 
 #include <functional>
@@ -8,6 +9,7 @@
 #include <QSettings>
 
 #include "robot/offers_topics.h"
+#include "ui/window/stalls.h"
 #include "work/budgets.h"
 
 class QPushButton;
@@ -22,6 +24,7 @@ struct Diagnostics {
   int threads = 0, running = 0, waiting = 0;  // of the thread pool; includes work outside of it
   work::Budgets held, allowed;
   std::optional<robot::Reception> reception = {};  // for a robot with statistics
+  std::optional<Stalls> stalls = {};               // nullopt: nobody measures
 };
 
 /// All tables as tab-separated lines.
@@ -41,7 +44,7 @@ class DiagnosticsDialog : public QDialog {
   QPushButton* copyButton() const { return copy_; }
 
  Q_SIGNALS:
-  void copyWanted(const QString& text);
+  void copyWanted();
 
  private:
   void refresh();

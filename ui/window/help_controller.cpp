@@ -1,9 +1,14 @@
 #include "ui/window/help_controller.h"
 
+#include <QDateTime>
 #include <QDialog>
 
+#include "robot/address.h"
+#include "robot/robot.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
+#include "ui/kit/status_text.h"
+#include "ui/robot/recent_robots.h"
 #include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
@@ -11,6 +16,8 @@
 #include "ui/window/diagnostics_dialog.h"
 #include "ui/window/manual_window.h"
 #include "ui/window/shortcut_sheet.h"
+#include "ui/window/support_text.h"
+#include "ui/window/watched_application.h"
 
 namespace mapwright::ui {
 
@@ -51,6 +58,13 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
                .tip = tr("Threads, memory and messages: usage, limits and rates"),
                .menu = {MenuGroup::About, 5}},
               this, &HelpController::showDiagnostics);
+  actions.add({.id = "copyDiagnostics",
+               .text = tr("&Copy diagnostics"),
+               .icon = "copy",
+               .tip = tr("Versions, system, numbers and problems as a text, for people who help.") +
+                      QLatin1Char(' ') + leftOutSentence(),
+               .menu = {MenuGroup::About, 7}},
+              this, &HelpController::copyDiagnostics);
   actions.add({.id = "about",
                .text = tr("&About mapwright"),
                .icon = "info",
@@ -61,23 +75,50 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
 
 HelpController::~HelpController() { delete diagnostics_; }
 
+Diagnostics HelpController::look() const {
+  const work::Workers& workers = *context_.workers;
+  Diagnostics now{workers.threads(), workers.running(), workers.waiting(), context_.scene.memory(),
+                  context_.budgets};
+  if (session::Session* const session = context_.current.session()) {
+    now.held = now.held + session->memory();
+    if (const robot::OffersTopics* const of = robot::topicsOfferedBy(session->robot()))
+      now.reception = of->reception();
+  }
+  if (const Stalls* const stalls = WatchedApplication::stalls()) now.stalls = *stalls;
+  return now;
+}
+
+void HelpController::copyDiagnostics() {
+  Support support{textOf(look())};
+  Privacy privacy = privacyHere();
+  const session::Session* const session = context_.current.session();
+  const auto namesOf = [&](const QString& address, const QStringList& more) {
+    const auto parsed = context_.addresses.parse(address);
+    QStringList names = more;
+    if (parsed) names << parsed->url.host() << robot::hostOf(*parsed);
+    return names;
+  };
+  if (session) {
+    const robot::Robot& robot = session->robot();
+    const robot::RobotIdentity identity = robot.identity();
+    privacy.robots << namesOf(robot.address(), {identity.name, identity.serial});
+    support.robot << tr("Open: %1, %2").arg(robot.address(), connectionWord(session->connection().phase));
+    if (!identity.model.isEmpty() || !identity.version.isEmpty())
+      support.robot << tr("Model: %1, version %2").arg(identity.model, identity.version);
+    support.problems =
+        session->problems().toText(QDateTime::currentDateTime()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  }
+  for (const RecentRobot& recent : RecentRobots(context_.settings, context_.addresses).list())
+    privacy.robots << namesOf(recent.address, {recent.name, recent.look.called});
+  copyText(context_.overlay, supportText(support, systemLines(), privacy), tr("Diagnostics copied"));
+}
+
 void HelpController::showDiagnostics() {
   // Non-modal, so that it can be watched while working.
   if (!diagnostics_) {
-    const auto look = [&context = context_] {
-      Diagnostics now{context.workers->threads(), context.workers->running(), context.workers->waiting(),
-                      context.scene.memory(), context.budgets};
-      if (session::Session* const session = context.current.session()) {
-        now.held = now.held + session->memory();
-        if (const robot::OffersTopics* const of = robot::topicsOfferedBy(session->robot()))
-          now.reception = of->reception();
-      }
-      return now;
-    };
-    diagnostics_ = new DiagnosticsDialog(look, context_.settings, &context_.window);
+    diagnostics_ = new DiagnosticsDialog([this] { return look(); }, context_.settings, &context_.window);
     diagnostics_->setAttribute(Qt::WA_DeleteOnClose);
-    connect(diagnostics_, &DiagnosticsDialog::copyWanted, this,
-            [this](const QString& text) { copyText(context_.overlay, text, tr("Diagnostics copied")); });
+    connect(diagnostics_, &DiagnosticsDialog::copyWanted, this, &HelpController::copyDiagnostics);
   }
   diagnostics_->show();
   diagnostics_->raise();

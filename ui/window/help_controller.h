@@ -9,6 +9,7 @@
 namespace mapwright::ui {
 
 class DiagnosticsDialog;
+struct Diagnostics;
 class ManualWindow;
 
 class HelpController : public Controller {
@@ -19,6 +20,8 @@ class HelpController : public Controller {
 
  private:
   void showDiagnostics();
+  void copyDiagnostics();
+  Diagnostics look() const;
   void showManual();
 
   WindowContext& context_;
