@@ -131,6 +131,12 @@ class WindowSupportTest : public QObject {
     QCOMPARE(QByteArray(meter.stalls().duringLongest().receiver), QByteArray("outer"));
   }
 
+  void whatHappensBeforeTheWindowIsThereIsNoStall() {
+    StallMeter meter;
+    QVERIFY(!meter.begins(0, milliseconds(0), {"style", QEvent::StyleChange}));
+    QCOMPARE(total(meter.stalls()), 0U);
+  }
+
   void aDialogThatIsOpenForMinutesIsNoStall() {
     StallMeter meter;
     QVERIFY(meter.begins(1, milliseconds(0), {"click", QEvent::MouseButtonRelease}));

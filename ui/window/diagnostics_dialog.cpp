@@ -89,7 +89,7 @@ Table stallsOf(const Stalls& now) {
         i < Stalls::kBelowMs.size()
             ? QCoreApplication::translate("window", "less than %1 ms").arg(Stalls::kBelowMs[i])
             : QCoreApplication::translate("window", "%1 ms and longer").arg(Stalls::kBelowMs.back()),
-        QString::number(now.counts()[i])};
+        countText(qint64(now.counts()[i]))};
   }
   const double longest_ms = std::chrono::duration<double, std::milli>(now.longest()).count();
   table.rows << Row{QCoreApplication::translate("window", "Longest, ms (%1)").arg(now.duringLongest().text()),

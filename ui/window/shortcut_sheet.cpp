@@ -173,16 +173,17 @@ QDialog* makeAboutBox(QWidget* parent) {
     grid->addWidget(licence, row++, 2);
   }
   grid->setColumnStretch(2, 1);
+  QHBoxLayout* buttons = closeRow(dialog);
   auto* copy = new QPushButton(QCoreApplication::translate("window", "&Copy"), dialog);
   copy->setObjectName(QStringLiteral("secondary"));
+  copy->setAutoDefault(false);
   copy->setToolTip(QCoreApplication::translate("window", "Version, commit and libraries as a text"));
   QObject::connect(copy, &QPushButton::clicked, dialog,
                    [] { QGuiApplication::clipboard()->setText(versionText()); });
-  QHBoxLayout* buttons = closeRow(dialog);
   buttons->insertWidget(1, copy);
   auto* words = columnOf({name, text, built, LayoutItem::gap(4), used, grid, LayoutItem::gap(8), buttons}, 8);
   dialog->setLayout(rowOf({{picture, 0, Qt::AlignTop}, {words, 1}}, 20, QMargins(20, 20, 20, 16)));
-  dialog->setMinimumWidth(440);
+  dialog->setMinimumWidth(510);
   return dialog;
 }
 

@@ -23,6 +23,7 @@ void Stalls::add(Duration duration, const Busy& busy) {
 }
 
 bool StallMeter::begins(int level, Time now, const Busy& busy) {
+  if (level == 0) return false;
   if (!events_.empty()) {
     if (events_.back().level >= level) return false;
     pause(now);

@@ -39,8 +39,8 @@ class Stalls {
 class StallMeter {
  public:
   using Time = std::chrono::nanoseconds;  // of a monotonic clock
-  /// `level`: how many event loops are nested. False: part of an event that is measured; ends() is not
-  /// called.
+  /// `level`: how many event loops are nested. False: part of an event that is measured, or before the first
+  /// loop, when there is no window yet that anybody could use; ends() is not called.
   bool begins(int level, Time now, const Busy& busy);
   void ends(Time now);
   /// The event loop waits, and goes on.
