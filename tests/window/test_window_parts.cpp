@@ -176,7 +176,7 @@ class TestWindowParts : public QObject {
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),
              words("layoutOperate layoutInspect layoutReplay"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
-             QStringLiteral("manual palette shortcuts - diagnostics about"));
+             QStringLiteral("manual palette shortcuts - diagnostics copyDiagnostics about"));
   }
 
   void everyMenuFitsOnASmallScreen() {

@@ -19,26 +19,16 @@ QList<Library> libraries() {
     return Library{QString::fromLatin1(name), QString::fromLatin1(version), QString::fromLatin1(licence)};
   };
   return {
-      row("qt6-base", kVersionOfQt, "LGPL-3"),
-      row("qt6-websockets", kVersionOfQtWebSockets, "LGPL-3"),
-      row("qt6-svg", kVersionOfQtSvg, "LGPL-3"),
-      row("qtkeychain", kVersionOfQtKeychain, "BSD-2"),
-      row("protobuf", kVersionOfProtobuf, "BSD-3"),
-      row("simdjson", kVersionOfSimdjson, "Apache-2.0"),
-      row("yaml-cpp", kVersionOfYamlCpp, "MIT"),
-      row("Eigen", kVersionOfEigen, "MPL-2.0"),
-      row("tl::expected", kVersionOfExpected, "CC0"),
-      row("libdeflate", kVersionOfDeflate, "MIT"),
-      row("libspng", kVersionOfSpng, "BSD-2"),
-      row("SQLite", kVersionOfSqlite, "public domain"),
-      row("ISA-L", kVersionOfIsal, "BSD-3"),
-      row("LZ4", kVersionOfLz4, "BSD-2"),
-      row("Zstandard", kVersionOfZstd, "BSD-3"),
-      row("bzip2", kVersionOfBzip2, "BSD-like"),
-      row("Boost", kVersionOfBoost, "BSL-1.0"),
-      row("zlib", kVersionOfZlib, "Zlib"),
-      row("OpenCV", kVersionOfOpenCv, "Apache-2.0"),
-      row("CLI11", kVersionOfCli11, "BSD-3"),
+      row("qt6-base", kVersionOfQt, "LGPL-3"),        row("qt6-websockets", kVersionOfQtWebSockets, "LGPL-3"),
+      row("qt6-svg", kVersionOfQtSvg, "LGPL-3"),      row("qtkeychain", kVersionOfQtKeychain, "BSD-2"),
+      row("protobuf", kVersionOfProtobuf, "BSD-3"),   row("simdjson", kVersionOfSimdjson, "Apache-2.0"),
+      row("yaml-cpp", kVersionOfYamlCpp, "MIT"),      row("Eigen", kVersionOfEigen, "MPL-2.0"),
+      row("tl::expected", kVersionOfExpected, "CC0"), row("libdeflate", kVersionOfDeflate, "MIT"),
+      row("libspng", kVersionOfSpng, "BSD-2"),        row("SQLite", kVersionOfSqlite, "public domain"),
+      row("ISA-L", kVersionOfIsal, "BSD-3"),          row("LZ4", kVersionOfLz4, "BSD-2"),
+      row("Zstandard", kVersionOfZstd, "BSD-3"),      row("bzip2", kVersionOfBzip2, "BSD-like"),
+      row("Boost", kVersionOfBoost, "BSL-1.0"),       row("zlib", kVersionOfZlib, "Zlib"),
+      row("OpenCV", kVersionOfOpenCv, "Apache-2.0"),  row("CLI11", kVersionOfCli11, "BSD-3"),
   };
 }
 
