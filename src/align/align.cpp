@@ -105,7 +105,8 @@ void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreeme
     ++square.walls;
     if (const auto distance = sheets.of_new.distanceAt(at)) square.distances.push_back(distance->metres);
   }
-  const WallIndex old_walls(sheets.of_old.walls()), new_walls(sheets.of_new.walls());
+  const Points alike = facedAlike(sheets, sheets.of_old.walls(), sheets.of_new.walls(), transform);
+  const WallIndex old_walls(alike.of_old), new_walls(alike.of_new);
   const Pose2 back = transform.inverse();
   for (auto& [square, held] : squares) {
     std::vector<double>& distances = held.distances;
@@ -287,11 +288,11 @@ bool ambiguous(const Sheets& sheets, const Points& points, const std::vector<Ran
 /// where the two differ.
 bool mirroredFitsBetter(const Plan& new_map, const Sheets& sheets, const Points& points, const Ranked& best,
                         const std::optional<Ranked>& mirrored) {
-  constexpr double kBetter = 0.05, kDisputed_m = 2;
+  constexpr double kBetter = 0.05, kAsGood = 0.85, kDisputed_m = 2;
   if (!mirrored) return false;
   const double score = best.quality.score(), other = mirrored->quality.score();
   if (other > score + kBetter) return true;
-  if (other <= kClose * score) return false;
+  if (other <= kAsGood * score) return false;
   const double twice_axis_m = 2 * new_map.corner_m.x() + new_map.width * new_map.resolution_m;
   const Disputed disputed =
       disputedBetween(sheets, points, laid(best.pose), laidMirrored(mirrored->pose, twice_axis_m));
@@ -302,7 +303,8 @@ bool bent(const Agreement& agreement, const Bend& bend, double cell_m) {
   constexpr double kShifted = 0.15;
   const double shifted = double(agreement.shifted) / double(std::max<std::size_t>(agreement.squares, 1));
   // Coarse cells, fewer too, are bent a little by furniture alone.
-  const double coarse = std::max(1.0, cell_m / 0.05), least_m = 0.03 * coarse, gain = 0.007 * coarse * coarse;
+  const double coarse = std::max(1.0, cell_m / 0.05), least_m = 0.035 * coarse,
+               gain = 0.007 * coarse * coarse;
   return (agreement.shifted > 1 && shifted > kShifted) || (bend.off_m > least_m && bend.gain > gain);
 }
 

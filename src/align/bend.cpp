@@ -95,8 +95,9 @@ bool improve(Field& field, const Sheets& sheets, const Points& points, const Pos
 
 }  // namespace
 
-Bend bendOf(const Sheets& sheets, const Points& points, const Pose2& pose) {
+Bend bendOf(const Sheets& sheets, const Points& all, const Pose2& pose) {
   constexpr std::size_t kFewest = 100, kEnds = 60;
+  const Points points = facedAlike(sheets, all.of_old, all.of_new, pose);
   const std::vector<Eigen::Vector2d> compared = comparedOf(sheets, points, pose);
   if (compared.size() < kFewest) return {};
   Eigen::Vector2d middle(0, 0);

@@ -48,19 +48,44 @@ class Patches {
   std::map<std::pair<int, int>, double> patches_;
 };
 
+/// What speaks for the first place less what speaks for the second, by things as large as a rack or a bed.
+class Balance {
+ public:
+  void add(const Eigen::Vector2d& at, double wall_m) {
+    things_[{int(std::floor(at.x() / kThing_m)), int(std::floor(at.y() / kThing_m))}] += wall_m;
+  }
+  /// The sum, in standard deviations of a sum of the same things with signs by chance.
+  double sigmas() const {
+    double sum = 0, square = 0;
+    for (const auto& [at, wall_m] : things_) sum += wall_m, square += wall_m * wall_m;
+    return square > 0 ? sum / std::sqrt(square) : 0;
+  }
+
+ private:
+  static constexpr double kThing_m = 3.0;
+  std::map<std::pair<int, int>, double> things_;
+};
+
 struct Counted {
   Patches for_first, for_second;
 };
 
+/// `balance` is kept in the new map.
 Counted counted(const Sheet& from, const Sheet& to, const std::vector<Eigen::Vector2d>& walls,
-                const Mover& first, const Mover& second) {
+                const Mover& first, const Mover& second, const Mover& to_new, Balance& balance) {
   Counted out;
   const double wall_m =
       from.resolution() * double(from.walls().size()) / double(std::max<std::size_t>(walls.size(), 1));
   for (const Eigen::Vector2d& wall : walls) {
     const Verdict one = verdictAt(to, first(wall)), other = verdictAt(to, second(wall));
-    if (one == Verdict::Agrees && other == Verdict::Contradicts) out.for_first.add(wall, wall_m);
-    if (one == Verdict::Contradicts && other == Verdict::Agrees) out.for_second.add(wall, wall_m);
+    if (one == Verdict::Agrees && other == Verdict::Contradicts) {
+      out.for_first.add(wall, wall_m);
+      balance.add(to_new(wall), wall_m);
+    }
+    if (one == Verdict::Contradicts && other == Verdict::Agrees) {
+      out.for_second.add(wall, wall_m);
+      balance.add(to_new(wall), -wall_m);
+    }
   }
   return out;
 }
@@ -78,23 +103,26 @@ Laid laidMirrored(const Pose2& pose, double twice_axis_m) {
 }
 
 Disputed disputedBetween(const Sheets& sheets, const Points& points, const Laid& first, const Laid& second) {
-  const Counted forward = counted(sheets.of_old, sheets.of_new, points.of_old, first.there, second.there);
-  const Counted backward = counted(sheets.of_new, sheets.of_old, points.of_new, first.back, second.back);
+  Balance balance;
+  const Counted forward =
+      counted(sheets.of_old, sheets.of_new, points.of_old, first.there, second.there, first.there, balance);
+  const Counted backward = counted(sheets.of_new, sheets.of_old, points.of_new, first.back, second.back,
+                                   Mover(geometry::Pose2{}), balance);
   // A wall of both maps is disputed on both: it counts once.
   const bool forwards = forward.for_first.metres() >= backward.for_first.metres();
   const Patches& for_first = forwards ? forward.for_first : backward.for_first;
   return {for_first.metres(), std::max(forward.for_second.metres(), backward.for_second.metres()),
-          for_first.metresBeyond(2.5)};
+          for_first.metresBeyond(2.5), balance.sigmas()};
 }
 
 bool refutesSecond(const Disputed& disputed) {
   constexpr double kEnough_m = 4, kElsewhere_m = 1, kAgainst = 0.25;
-  // Goods that changed between racks or beds that are alike speak for some wrong place by chance. Long walls
-  // outweigh them.
-  constexpr double kLong_m = 20, kAgainstLong = 0.4;
+  // Goods that changed between racks or beds that are alike speak for some wrong place by chance. Long walls,
+  // or many things in many places, outweigh them.
+  constexpr double kLong_m = 20, kAgainstLong = 0.4, kSigmas = 2.5;
   const double against = disputed.for_first_m >= kLong_m ? kAgainstLong : kAgainst;
   return disputed.for_first_m >= kEnough_m && disputed.elsewhere_m >= kElsewhere_m &&
-         disputed.for_second_m <= against * disputed.for_first_m;
+         (disputed.for_second_m <= against * disputed.for_first_m || disputed.ahead_sigmas >= kSigmas);
 }
 
 }  // namespace mapwright::align

@@ -23,6 +23,8 @@ struct Disputed {
   double for_first_m = 0, for_second_m = 0;
   /// Of the first: more than 3 m from where most of it is. One piece of furniture has none.
   double elsewhere_m = 0;
+  /// How clearly the first is ahead, by standard deviations: some walls speak for a wrong place by chance.
+  double ahead_sigmas = 0;
 };
 Disputed disputedBetween(const Sheets& sheets, const Points& points, const Laid& first, const Laid& second);
 

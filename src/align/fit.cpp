@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -33,6 +34,26 @@ Seen seenIn(const Sheet& sheet, const std::vector<Eigen::Vector2d>& points, cons
     ++out.seen;
     const double ratio = distance->metres / sigma_m;
     out.agreeing += std::exp(-0.5 * ratio * ratio);
+  }
+  return out;
+}
+
+/// Those of `walls` that have the same side in sight on both maps.
+std::vector<Eigen::Vector2d> seenAlike(const Sheet& from, const Sheet& to,
+                                       const std::vector<Eigen::Vector2d>& walls, const Mover& move) {
+  constexpr double kBefore_m = 0.2;
+  const double before_m = std::max(kBefore_m, 2 * from.resolution());
+  std::vector<Eigen::Vector2d> out;
+  for (const Eigen::Vector2d& wall : walls) {
+    int open = 0, in_both = 0;
+    for (int side = 0; side < 8; ++side) {
+      const double towards = side * std::numbers::pi / 4;
+      const Eigen::Vector2d at = wall + before_m * Eigen::Vector2d(std::cos(towards), std::sin(towards));
+      if (!from.freeAt(at)) continue;
+      ++open;
+      in_both += to.freeAt(move(at));
+    }
+    if (2 * in_both >= open) out.push_back(wall);
   }
   return out;
 }
@@ -157,6 +178,12 @@ Points pointsFrom(std::vector<Eigen::Vector2d> of_old, std::vector<Eigen::Vector
 
 Points pointsOf(const Sheets& sheets, std::size_t most) {
   return pointsFrom(sheets.of_old.someWalls(most), sheets.of_new.someWalls(most));
+}
+
+Points facedAlike(const Sheets& sheets, const std::vector<Eigen::Vector2d>& of_old,
+                  const std::vector<Eigen::Vector2d>& of_new, const Pose2& pose) {
+  return pointsFrom(seenAlike(sheets.of_old, sheets.of_new, of_old, Mover(pose)),
+                    seenAlike(sheets.of_new, sheets.of_old, of_new, Mover(pose.inverse())));
 }
 
 Mover::Mover(const Pose2& pose)

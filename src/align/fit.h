@@ -27,6 +27,10 @@ struct Points {
 Points pointsFrom(std::vector<Eigen::Vector2d> of_old, std::vector<Eigen::Vector2d> of_new);
 /// At most `most` of each map.
 Points pointsOf(const Sheets& sheets, std::size_t most);
+/// Without walls whose free side the other map does not know. It may have seen them from behind, where they
+/// lie beside by their thickness: in rooms that were seen from one side, that looks like a bend.
+Points facedAlike(const Sheets& sheets, const std::vector<Eigen::Vector2d>& of_old,
+                  const std::vector<Eigen::Vector2d>& of_new, const geometry::Pose2& pose);
 
 /// Pose2::apply() for many points.
 class Mover {

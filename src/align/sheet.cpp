@@ -91,4 +91,9 @@ bool Sheet::knownAt(const Eigen::Vector2d& world_m) const {
   return known_(int(cell.y()), int(cell.x())) != 0;
 }
 
+bool Sheet::freeAt(const Eigen::Vector2d& world_m) const {
+  const Eigen::Vector2d cell = cellAt(world_m);
+  return knownAt(world_m) && distance_(int(cell.y()), int(cell.x())) > 0;
+}
+
 }  // namespace mapwright::align

@@ -29,6 +29,7 @@ class Sheet {
   /// farther than that from all walls.
   std::optional<Distance> distanceAt(const Eigen::Vector2d& world_m) const;
   bool knownAt(const Eigen::Vector2d& world_m) const;
+  bool freeAt(const Eigen::Vector2d& world_m) const;
 
   /// Beyond known ground: a wall seen from one side has nothing known behind it.
   static constexpr double kReach_m = 0.3;

@@ -352,13 +352,22 @@ class TestAlignment : public QObject {
     QCOMPARE(align::alignPlans(first, mappedAgain(last, truth, 0.05))->doubt, Doubt::Ambiguous);
   }
 
+  void otherGoodsInAWarehouseDoNotHideItsEnds_data() {
+    QTest::addColumn<unsigned>("seed");
+    QTest::addColumn<double>("share");
+    QTest::newRow("few") << 7U << 0.15;
+    QTest::newRow("many") << 4U << 0.35;
+  }
+
   void otherGoodsInAWarehouseDoNotHideItsEnds() {
-    Chance chance(7);
+    QFETCH(unsigned, seed);
+    QFETCH(double, share);
+    Chance chance(seed);
     Warehouse site(chance);
     const Pose2 truth{-11, 4, 2.1};
     const auto mapped = [&](bool ends) { return noisy(site.plan(ends), chance, 0.1, 0.001); };
     const Plan before = mapped(true);
-    site.put(chance, 0.15);
+    site.put(chance, share);
     const Alignment found = *align::alignPlans(before, mappedAgain(mapped(true), truth, 0.05));
     QVERIFY(found.second->score > 0.7 * found.best->score);
     QCOMPARE(found.doubt, Doubt::None);
@@ -367,6 +376,22 @@ class TestAlignment : public QObject {
     const Plan alike = mapped(false);
     site.put(chance, 1);
     QVERIFY(!align::alignPlans(alike, mappedAgain(mapped(false), truth, 0.05))->sure());
+  }
+
+  void aWallThatTheOtherMapSawFromBehindIsNotShifted() {
+    // A wall of 20 cm with ground on both sides, of which each map saw one.
+    Plan left;
+    left.width = left.height = 60;
+    left.resolution_m = 0.05;
+    left.cells.assign(60 * 60, Ground::Unknown);
+    Plan right = left;
+    fill(left, 0, 0, 27, 59, Ground::Free);
+    fill(left, 28, 0, 28, 59, Ground::Wall);
+    fill(right, 31, 0, 31, 59, Ground::Wall);
+    fill(right, 32, 0, 59, 59, Ground::Free);
+    QCOMPARE(align::agreementOf(left, right, {}).shifted, std::size_t(0));
+    // The same side of it, moved: that is a shift.
+    QVERIFY(align::agreementOf(left, left, {0.15, 0, 0}).shifted > 0);
   }
 
   void aBentMapIsNotSure_data() {
