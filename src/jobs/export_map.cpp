@@ -5,7 +5,6 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImageWriter>
 
@@ -192,38 +191,4 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   return result;
 }
 
-ExportJob::ExportJob(const std::shared_ptr<work::Workers>& workers, QObject* parent)
-    : QObject(parent), means_{workers}, share_(workers) {}
-
-ExportJob::~ExportJob() { cancel(); }
-
-void ExportJob::start(ExportRequest request) {
-  cancel();
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  running_ = true;
-  share_.startLong([this, cancelled = cancelled_, request = std::move(request)] {
-    QElapsedTimer told;
-    const ExportResult result = exportMap(
-        request,
-        [&](double done) {
-          if (!told.isValid() || told.elapsed() > 50) {
-            told.start();
-            QMetaObject::invokeMethod(
-                this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
-          }
-          return !cancelled->load();
-        },
-        means_);
-    QMetaObject::invokeMethod(
-        this,
-        [this, result] {
-          running_ = false;
-          Q_EMIT finished(result);
-        },
-        Qt::QueuedConnection);
-  });
-}
-
 }  // namespace mapwright::jobs
-
-#include "moc_export_map.cpp"

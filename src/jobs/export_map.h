@@ -1,8 +1,6 @@
-// Writes a map, or the current view of it, to files. The work runs on any thread; ExportJob runs it in the
-// background.
+// Writes a map, or the current view of it, to files. Any thread.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,7 +8,6 @@
 #include <vector>
 
 #include <QImage>
-#include <QObject>
 #include <QString>
 #include <QStringList>
 
@@ -21,7 +18,6 @@
 #include "map/grid_reference.h"
 #include "render/compositor.h"
 #include "robot/address.h"
-#include "work/workers.h"
 
 namespace mapwright::jobs {
 
@@ -88,26 +84,5 @@ QString firstOwnSource(const QStringList& files, const std::vector<std::string>&
 QString mostlyMissingReason(const grids::GridPyramid& cells);
 /// The extension of the format: "png", "yaml".
 QString exportSuffix(ExportFormat format);
-
-/// One export on a thread of its own. GUI-thread object; deleting it cancels and waits.
-class ExportJob : public QObject {
-  Q_OBJECT
- public:
-  explicit ExportJob(const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
-  ~ExportJob() override;
-  void start(ExportRequest request);
-  void cancel() { cancelled_->store(true); }
-  bool running() const { return running_; }
-
- Q_SIGNALS:
-  void progressed(double done);
-  void finished(const mapwright::jobs::ExportResult& result);
-
- private:
-  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  bool running_ = false;
-  grids::Resources means_;
-  work::Tasks share_;  // last member: waits for running work
-};
 
 }  // namespace mapwright::jobs

@@ -1,7 +1,6 @@
 #include "jobs/leave_out.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 
 #include "pbstream/drop.h"
 #include "sentences/fault_sentence.h"
@@ -13,8 +12,6 @@ namespace {
 class LeaveOutText {
   Q_DECLARE_TR_FUNCTIONS(LeaveOut)
 };
-
-constexpr qint64 kTellEveryMs = 50;
 
 }  // namespace
 
@@ -54,42 +51,12 @@ QStringList damageSentences(const pbstream::DropReceipt& receipt) {
   return said;
 }
 
-LeaveOutJob::LeaveOutJob(const std::shared_ptr<work::Workers>& workers, QObject* parent)
-    : QObject(parent), share_(workers) {}
-
-LeaveOutJob::~LeaveOutJob() { cancel(); }
-
-void LeaveOutJob::start(const QString& from, const map::GraphParts& what, const QString& to) {
-  cancel();
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  running_ = true;
-  share_.startLong([this, cancelled = cancelled_, from, what, to] {
-    QElapsedTimer told;
-    const auto receipt = leaveOut(
-        from, what, to, [&] { return cancelled->load(); },
-        [&](double done) {
-          if (told.isValid() && told.elapsed() < kTellEveryMs) return;
-          told.start();
-          QMetaObject::invokeMethod(
-              this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
-        });
-    LeaveOutResult result{to, {}, {}, false};
-    if (receipt) {
-      result.said = leftOutSentences(*receipt, to) + damageSentences(*receipt);
-    } else {
-      result.error = receipt.error();
-      result.cancelled = cancelled->load();
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, result] {
-          running_ = false;
-          Q_EMIT finished(result);
-        },
-        Qt::QueuedConnection);
+tl::expected<QStringList, QString> leaveOutSaying(const QString& from, const map::GraphParts& what,
+                                                  const QString& to, const std::function<bool()>& cancelled,
+                                                  const std::function<void(double)>& progressed) {
+  return leaveOut(from, what, to, cancelled, progressed).map([&](const pbstream::DropReceipt& receipt) {
+    return leftOutSentences(receipt, to) + damageSentences(receipt);
   });
 }
 
 }  // namespace mapwright::jobs
-
-#include "moc_leave_out.cpp"

@@ -61,7 +61,6 @@ QDoubleSpinBox* thresholdField(QWidget* parent, double value, const QString& nam
 ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent)
     : QDialog(parent),
       offer_(std::move(offer)),
-      job_(workers),
       map_picture_(new QRadioButton(tr("&Picture of the map (PNG)"), this)),
       map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
       view_picture_(new QRadioButton(tr("Picture of the current &view (PNG)"), this)),
@@ -84,7 +83,9 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
       error_(new QLabel(this)),
       source_label_(new QLabel(tr("&What"), this)),
       resolution_label_(new QLabel(tr("Metres per &cell"), this)),
-      map_mode_label_(new QLabel(tr("Map &mode"), this)) {
+      map_mode_label_(new QLabel(tr("Map &mode"), this)),
+      workers_(workers),
+      run_(workers) {
   setWindowTitle(tr("Export"));
   setMinimumWidth(520);
   source_->setObjectName(QStringLiteral("source"));
@@ -168,9 +169,6 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
-  connect(&job_, &jobs::ExportJob::progressed, this,
-          [this](double done) { progress_->setValue(int(done * 1000)); });
-  connect(&job_, &jobs::ExportJob::finished, this, &ExportDialog::onFinished);
   sync();
 }
 
@@ -262,7 +260,7 @@ void ExportDialog::browse() {
 }
 
 void ExportDialog::start() {
-  if (job_.running()) return;
+  if (run_.running()) return;
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   const bool with_world_file = world_file_->isChecked() && world_file_->isEnabled();
   const QStringList files = jobs::exportedFiles(path, format(), with_world_file, form().mode);
@@ -309,7 +307,11 @@ void ExportDialog::start() {
   }
   error_->hide();
   setRunning(true);
-  job_.start(std::move(request));
+  run_.start(
+      [this, request, workers = workers_](const BackgroundRun::Running& run) -> BackgroundRun::Then {
+        return [this, result = jobs::exportMap(request, run.proceed, {workers})] { onFinished(result); };
+      },
+      [this](double done) { progress_->setValue(int(done * 1000)); });
 }
 
 void ExportDialog::setRunning(bool running) {
@@ -344,8 +346,8 @@ void ExportDialog::onFinished(const jobs::ExportResult& result) {
 }
 
 void ExportDialog::reject() {
-  if (job_.running()) {
-    job_.cancel();
+  if (run_.running()) {
+    run_.cancel();
     cancel_->setEnabled(false);
     return;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +13,7 @@
 #include <QPointer>
 
 #include "jobs/export_map.h"
+#include "ui/kit/background_run.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
@@ -84,7 +86,6 @@ class ExportDialog : public QDialog {
   void setRunning(bool running);
 
   ExportOffer offer_;
-  jobs::ExportJob job_;
   QRadioButton *map_picture_, *map_server_, *view_picture_;
   QComboBox* source_;
   QDoubleSpinBox* resolution_;
@@ -99,6 +100,8 @@ class ExportDialog : public QDialog {
   bool confirmed_ = false;          // overwriting
   bool source_confirmed_ = false;   // confirmed overwriting a source file
   bool missing_confirmed_ = false;  // confirmed that most of the map is missing
+  const std::shared_ptr<work::Workers> workers_;
+  BackgroundRun run_;
 };
 
 class ExportController : public Controller {

@@ -31,7 +31,7 @@ const QString kRegionsFolderKey = QStringLiteral("regions/folder");
 }  // namespace
 
 MapFetch::MapFetch(WindowContext& context, QObject* parent)
-    : QObject(parent), context_(context), share_(context.workers) {
+    : QObject(parent), context_(context), showing_(context.workers), export_(context.workers) {
   every_second_.setInterval(1000);
   connect(&every_second_, &QTimer::timeout, this, &MapFetch::changed);
 }
@@ -73,7 +73,8 @@ void MapFetch::stop() {
   whole_in_progress_ = false;
   every_second_.stop();
   if (fetch_) fetch_.release()->deleteLater();  // it may be emitting just now
-  export_.reset();
+  showing_.forget();
+  export_.forget();
   Q_EMIT changed();
 }
 
@@ -149,7 +150,7 @@ void MapFetch::show(std::function<map::OccupancyCells()> cells, const map::GridR
   // Another one is another map, even if equally large.
   const QString id = tr("fetched %1").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
   // Copying hundreds of millions of cells takes a while.
-  share_.startLong([this, cells = std::move(cells), grid, name, id, job = job_] {
+  showing_.start([this, cells = std::move(cells), grid, name, id](const auto&) -> BackgroundRun::Then {
     map::WholeMap map;
     map.key = {map::MapKind::Stored, id.toStdString()};
     // Its dispatcher's map is the map that the robot is in.
@@ -158,19 +159,16 @@ void MapFetch::show(std::function<map::OccupancyCells()> cells, const map::GridR
     map.grid = grid;
     map.reading = {map::CellReading::Mode::Raw};
     map.cells = cells();
-    QMetaObject::invokeMethod(
-        this,
-        [this, map = std::move(map), job] {
-          session::Session* const session = context_.current.session();
-          if (!session || job != job_) return;
-          session->wholeMap().show(map);
-          kept_ = map.key;
-          context_.scene.setLayerVisible(Layer::WholeMap, true);
-          context_.scene.setLayerVisible(Layer::Regions, false);
-          toast(Mark::Good, tr("%1 is shown. The layer \"Map by regions\" is hidden.")
-                                .arg(QString::fromStdString(map.name)));
-        },
-        Qt::QueuedConnection);
+    return [this, map = std::move(map)] {
+      session::Session* const session = context_.current.session();
+      if (!session) return;
+      session->wholeMap().show(map);
+      kept_ = map.key;
+      context_.scene.setLayerVisible(Layer::WholeMap, true);
+      context_.scene.setLayerVisible(Layer::Regions, false);
+      toast(Mark::Good,
+            tr("%1 is shown. The layer \"Map by regions\" is hidden.").arg(QString::fromStdString(map.name)));
+    };
   });
 }
 
@@ -252,19 +250,18 @@ void MapFetch::endRectangle() {
 
 void MapFetch::write(const jobs::WholeMapExport& map, const QString& path, disk::Existing existing,
                      std::function<void()> then) {
-  export_ = std::make_unique<jobs::ExportJob>(context_.workers);
-  connect(export_.get(), &jobs::ExportJob::finished, this,
-          [this, then = std::move(then)](const jobs::ExportResult& result) {
-            export_.release()->deleteLater();
-            if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
-            if (result.cancelled) return;
-            toast(Mark::Good, tr("Saved %1")
-                                  .arg(jobs::exportedFiles(QDir::toNativeSeparators(result.path),
-                                                           jobs::ExportFormat::MapServer, false)
-                                           .join(QStringLiteral(", "))));
-            if (then) then();
-          });
-  export_->start({map, jobs::ExportFormat::MapServer, path, false, {}, existing});
+  const jobs::ExportRequest request{map, jobs::ExportFormat::MapServer, path, false, {}, existing};
+  export_.start([this, request, then = std::move(then),
+                 workers = context_.workers](const BackgroundRun::Running& run) -> BackgroundRun::Then {
+    return [this, then, result = jobs::exportMap(request, run.proceed, {workers})] {
+      if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
+      toast(Mark::Good, tr("Saved %1")
+                            .arg(jobs::exportedFiles(QDir::toNativeSeparators(result.path),
+                                                     jobs::ExportFormat::MapServer, false)
+                                     .join(QStringLiteral(", "))));
+      if (then) then();
+    };
+  });
 }
 
 std::vector<Fetched> MapFetch::fetched() {

@@ -12,6 +12,7 @@
 
 #include "disk/existing.h"
 #include "regions/region_fetch.h"
+#include "ui/kit/background_run.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/window_context.h"
@@ -85,10 +86,9 @@ class MapFetch : public QObject {
   qint64 whole_bytes_ = 0;  // received so far
   QElapsedTimer whole_began_;
   QTimer every_second_;
-  std::uint64_t job_ = 0;  // results of older ones are ignored
-  std::unique_ptr<jobs::ExportJob> export_;
+  std::uint64_t job_ = 0;            // results of older ones are ignored
   std::optional<map::MapKey> kept_;  // on screen, and not written
-  work::Tasks share_;                // last member: waits for running work
+  BackgroundRun showing_, export_;
 };
 
 }  // namespace mapwright::ui

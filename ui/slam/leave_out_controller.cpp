@@ -15,6 +15,7 @@
 #include <QRadioButton>
 #include <QStandardPaths>
 
+#include "jobs/leave_out.h"
 #include "robot/slam_file.h"
 #include "sentences/plural.h"
 #include "session/session.h"
@@ -85,7 +86,7 @@ LeaveOutDialog::LeaveOutDialog(const QString& from, std::vector<LeaveOutChoice> 
       write_(new QPushButton(tr("Write the new file"), this)),
       open_(new QPushButton(tr("Open the new file"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
-      job_(workers) {
+      run_(workers) {
   setWindowTitle(tr("Leave out"));
   setMinimumWidth(520);
   setTextColor(*note_, appColors().secondary_text);
@@ -128,15 +129,6 @@ LeaveOutDialog::LeaveOutDialog(const QString& from, std::vector<LeaveOutChoice> 
     accept();
     Q_EMIT openWanted(written_);
   });
-  connect(&job_, &jobs::LeaveOutJob::progressed, this, [this](double done) {
-    if (!job_.running()) return;
-    progress_->setValue(int(done * progress_->maximum()));
-    say(done < 0.25  ? tr("Reading the file…")
-        : done < 0.5 ? tr("Writing the new file…")
-                     : tr("Reading the new file again and comparing it…"),
-        false);
-  });
-  connect(&job_, &jobs::LeaveOutJob::finished, this, &LeaveOutDialog::onFinished);
   sync();
   path_->setFocus();
 }
@@ -169,13 +161,28 @@ void LeaveOutDialog::browse() {
 }
 
 void LeaveOutDialog::start() {
-  if (job_.running()) return;
+  if (run_.running()) return;
   QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   if (!path.endsWith(kSuffix, Qt::CaseInsensitive)) path += kSuffix;
   path_->setText(path);
   setRunning(true);
   say(tr("Reading the file…"), false);
-  job_.start(from_, choices_[std::size_t(group_->checkedId())].parts, path);
+  const auto progressed = [this](double done) {
+    progress_->setValue(int(done * progress_->maximum()));
+    say(done < 0.25  ? tr("Reading the file…")
+        : done < 0.5 ? tr("Writing the new file…")
+                     : tr("Reading the new file again and comparing it…"),
+        false);
+  };
+  const auto job = [this, from = from_, what = choices_[std::size_t(group_->checkedId())].parts,
+                    path](const BackgroundRun::Running& run) -> BackgroundRun::Then {
+    const auto said = jobs::leaveOutSaying(
+        from, what, path, [&] { return run.cancelled.load(); }, run.proceed);
+    if (said) return [this, path, said = *said] { onWritten(path, said); };
+    return
+        [this, why = run.cancelled ? tr("Cancelled. Nothing was written.") : said.error()] { onFailed(why); };
+  };
+  run_.start(job, progressed);
 }
 
 void LeaveOutDialog::setRunning(bool running) {
@@ -193,15 +200,18 @@ void LeaveOutDialog::say(const QString& text, bool wrong) {
   if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) resize(width(), needed);
 }
 
-void LeaveOutDialog::onFinished(const jobs::LeaveOutResult& result) {
+void LeaveOutDialog::onFailed(const QString& why) {
   setRunning(false);
   path_->setFocus();  // it was lost while the form was disabled
-  if (result.cancelled) return say(tr("Cancelled. Nothing was written."), true);
-  if (!result.error.isEmpty()) return say(result.error, true);
-  written_ = result.path;
+  say(why, true);
+}
+
+void LeaveOutDialog::onWritten(const QString& path, const QStringList& said) {
+  setRunning(false);
+  written_ = path;
   form_->hide();
   setTextColor(*said_, appColors().text);
-  said_->setText(result.said.join(QStringLiteral("\n\n")));
+  said_->setText(said.join(QStringLiteral("\n\n")));
   write_->hide();
   open_->show();
   open_->setDefault(true);
@@ -212,8 +222,8 @@ void LeaveOutDialog::onFinished(const jobs::LeaveOutResult& result) {
 }
 
 void LeaveOutDialog::reject() {
-  if (!job_.running()) return QDialog::reject();
-  job_.cancel();
+  if (!run_.running()) return QDialog::reject();
+  run_.cancel();
   cancel_->setEnabled(false);
 }
 

@@ -6,7 +6,8 @@
 #include <QDialog>
 #include <QPointer>
 
-#include "jobs/leave_out.h"
+#include "map/graph_parts.h"
+#include "ui/kit/background_run.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
@@ -56,7 +57,8 @@ class LeaveOutDialog : public QDialog {
   void start();
   void setRunning(bool running);
   void say(const QString& text, bool wrong);
-  void onFinished(const jobs::LeaveOutResult& result);
+  void onWritten(const QString& path, const QStringList& said);
+  void onFailed(const QString& why);
 
   const QString from_, folder_;
   const std::vector<LeaveOutChoice> choices_;
@@ -67,7 +69,7 @@ class LeaveOutDialog : public QDialog {
   QLineEdit* path_;
   QProgressBar* progress_;
   QPushButton *write_, *open_, *cancel_;
-  jobs::LeaveOutJob job_;
+  BackgroundRun run_;
 };
 
 class LeaveOutController : public Controller {
