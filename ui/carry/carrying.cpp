@@ -89,8 +89,12 @@ void Carrying::look() {
   show();
 }
 
-void Carrying::start(CarryRun::Job job) {
-  run_.start(looked_at_->laid.map, looked_at_->map, looked_at_->laid.pose, std::move(job));
+void Carrying::start(Job job) {
+  run_.start([old_map = looked_at_->laid.map, new_map = looked_at_->map, transform = looked_at_->laid.pose,
+              job = std::move(job)](const BackgroundRun::Running& run) {
+    const carry::Site site(old_map, new_map, transform);
+    return run.cancelled ? BackgroundRun::Then() : job(site);
+  });
 }
 
 void Carrying::setRows(std::vector<CarryRow> rows, const QString& besides) {
@@ -109,7 +113,7 @@ void Carrying::giveUp(const QString& said) {
 }
 
 void Carrying::forget(const QString& said) {
-  run_.cancel();
+  run_.forget();
   ++turn_;
   looked_at_.reset();
   mark(std::nullopt);

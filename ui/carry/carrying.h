@@ -2,6 +2,7 @@
 // are carried over become unsaved changes there. Why: docs/tasks/new-map.md.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -9,11 +10,12 @@
 
 #include <QObject>
 
+#include "carry/carried.h"
 #include "geometry/rect.h"
 #include "map/catalogue.h"
 #include "robot/robot.h"
 #include "ui/carry/carry_model.h"
-#include "ui/carry/carry_run.h"
+#include "ui/kit/background_run.h"
 #include "ui/shell/laid_map.h"
 #include "ui/shell/window_context.h"
 
@@ -55,6 +57,8 @@ class Carrying : public QObject {
     }
   };
 
+  using Job = std::function<BackgroundRun::Then(const carry::Site& site)>;
+
   /// `context` must outlive this.
   Carrying(WindowContext& context, const CarryWords& words, const QString& dock_name, int menu_rank,
            QObject* parent);
@@ -81,7 +85,8 @@ class Carrying : public QObject {
   int turn() const { return turn_; }
   const std::optional<Subject>& lookedAt() const { return looked_at_; }
   bool adjusts() const;
-  void start(CarryRun::Job job);
+  /// Looks at both maps, beside the pool.
+  void start(Job job);
   /// What it found. `besides` is said after the sum.
   void setRows(std::vector<CarryRow> rows, const QString& besides = {});
   void giveUp(const QString& said);
@@ -108,7 +113,7 @@ class Carrying : public QObject {
   int turn_ = 0;                    // answers of earlier ones are of no use
   QString said_;                    // instead of the sum
   QString besides_;                 // after it
-  CarryRun run_;                    // last
+  BackgroundRun run_;
 };
 
 }  // namespace mapwright::ui

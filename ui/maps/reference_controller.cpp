@@ -23,6 +23,7 @@
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/undo_stacks.h"
+#include "ui/maps/align_on_screen.h"
 #include "ui/maps/reference_dock.h"
 #include "ui/maps/reference_tool.h"
 #include "ui/scene/map_scene.h"
@@ -173,12 +174,6 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   });
   connect(&walls_off_, &WallsOffMarks::found, this,
           [this] { dock_->setWallsOff(walls_off_.shown().empty()); });
-  connect(&run_, &AlignmentRun::progressed, dock_, &ReferenceDock::setProgress);
-  connect(&run_, &AlignmentRun::finished, this, &ReferenceController::onAligned);
-  connect(&run_, &AlignmentRun::failed, this, [this](const Fault& fault) {
-    forgetAlignment();
-    say(sentences::wordsOf(fault));
-  });
   connect(&slot_, &session::MapSlot::changed, this, &ReferenceController::show);
   connect(&slot_, &session::MapSlot::rowsArrived, this, [this] { context_.scene.referenceRowsArrived(); });
 }
@@ -501,10 +496,7 @@ void ReferenceController::checkAlignment() {
     aligned_ = now;
     submaps_changed_ = false;
     pose_before_ = laid_.pose;
-    run_.start(
-        now->reference,
-        submaps ? AlignmentRun::NewMap(context_.scene.placedTextures()) : AlignmentRun::NewMap(*now->map),
-        now->pairs);
+    startAligning(submaps);
   } else if (align_next_) {
     if (slot_.phase() == session::MapSlot::Phase::Failed) align_next_ = false;
     if (session && !submaps && session->wholeMap().settled() && !session->wholeMap().cells()) {
@@ -519,6 +511,23 @@ void ReferenceController::checkAlignment() {
     said_ = tr("The reference map was moved meanwhile. Align again.");
   }
   showAlignment();
+}
+
+void ReferenceController::startAligning(bool submaps) {
+  const OnScreen on = submaps ? OnScreen(context_.scene.placedTextures()) : OnScreen(*aligned_->map);
+  const auto job = [this, old_map = aligned_->reference, on, pairs = aligned_->pairs,
+                    workers = context_.workers](const BackgroundRun::Running& run) -> BackgroundRun::Then {
+    const auto found = alignOnScreen(old_map, on, pairs, workers, run);
+    if (!found) {
+      return [this, why = found.error()] {
+        forgetAlignment();
+        say(sentences::wordsOf(why));
+      };
+    }
+    if (!*found) return {};
+    return [this, alignment = **found] { onAligned(alignment); };
+  };
+  run_.start(job, [this](double done) { dock_->setProgress(done); });
 }
 
 void ReferenceController::onAligned(const align::Alignment& found) {
@@ -583,7 +592,7 @@ void ReferenceController::showAlignment() {
 
 void ReferenceController::forgetAlignment() {
   stopFetching();
-  run_.cancel();
+  run_.forget();
   align_next_ = false;
   aligned_.reset();
   found_.reset();

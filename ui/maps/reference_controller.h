@@ -20,8 +20,8 @@
 #include "robot/robot.h"
 #include "session/map_slot.h"
 #include "session/session.h"
+#include "ui/kit/background_run.h"
 #include "ui/kit/controller.h"
-#include "ui/maps/alignment_run.h"
 #include "ui/maps/map_files.h"
 #include "ui/maps/walls_off_marks.h"
 #include "ui/shell/laid_map.h"
@@ -102,6 +102,7 @@ class ReferenceController : public Controller {
   void lay(const QString& address, bool align);
   /// As soon as both maps are read.
   void align();
+  void startAligning(bool submaps);
   void onAligned(const align::Alignment& found);
   void layCandidate(bool second);
   std::optional<Aligned> alignable(bool submaps) const;
@@ -158,7 +159,7 @@ class ReferenceController : public Controller {
   std::optional<align::Alignment> found_;
   QString said_;  // instead of a result
   WallsOffMarks walls_off_;
-  AlignmentRun run_;
+  BackgroundRun run_;
 };
 
 }  // namespace mapwright::ui

@@ -78,7 +78,7 @@ void OverlayCarrying::startIfOpen() {
   if (!editing_->isOpen()) return;
   const carry::CarryOptions options{.radius_m = there_.radius_m(), .adjust = adjusts()};
   start([this, text = *std::exchange(old_text_, std::nullopt), mine = editing_->document().mine(),
-         map = lookedAt()->map, options](const carry::Site& site) -> CarryRun::Then {
+         map = lookedAt()->map, options](const carry::Site& site) -> BackgroundRun::Then {
     const auto document = overlays::OverlayDocument::read(text);
     if (!document) {
       return [this, why = document.error()] { giveUp(unreadableOldOverlays(sentences::sentenceOf(why))); };

@@ -95,7 +95,7 @@ RehearsalController::RehearsalController(WindowContext& context, MakeRobot make_
       make_robot_(std::move(make_robot)),
       dock_(new RehearsalDock(&context.window)),
       line_(std::make_unique<Line>(context.scene)),
-      share_(context.workers) {
+      run_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPosition::Side::Right, .tab = 72, .menu_rank = 38, .open = false});
   context_.actions.add({.id = "rehearseWay",
                         .text = tr("Rehearse a recorded &way…"),
@@ -132,7 +132,7 @@ RehearsalController::RehearsalController(WindowContext& context, MakeRobot make_
 }
 
 RehearsalController::~RehearsalController() {
-  cancelled_->store(true);
+  *over_ = true;
   delete dock_;
 }
 
@@ -198,7 +198,7 @@ void RehearsalController::readFile() {
   origin_ = std::move(*robot);
   robot::BagLibrary* const library = origin_->bagLibrary();
   if (!library) return forget(tr("This is no recording."));
-  library->list([this, library, over = cancelled_](const robot::Outcome<std::vector<robot::BagEntry>>& rows) {
+  library->list([this, library, over = over_](const robot::Outcome<std::vector<robot::BagEntry>>& rows) {
     if (*over) return;
     if (!rows) return forget(QString::fromStdString(sentences::sentenceOf(rows.error())));
     if (rows->empty()) return forget(tr("This is no recording."));
@@ -212,7 +212,7 @@ void RehearsalController::readRecording(robot::BagLibrary& library, const robot:
   order.path = folder_.filePath(QStringLiteral("way.csv")).toStdString();
   job_ = std::make_unique<excerpt::ExcerptJob>(excerpt::ExcerptJob::Source{&library, key, {}}, order,
                                                context_.workers);
-  const auto onEnded = [this, over = cancelled_](const excerpt::Ended& ended) {
+  const auto onEnded = [this, over = over_](const excerpt::Ended& ended) {
     if (*over) return;
     if (ended.not_read) return forget(QString::fromStdString(sentences::sentenceOf(*ended.not_read)));
     if (ended.not_written) return forget(sentences::sentenceOf(*ended.not_written));
@@ -224,7 +224,7 @@ void RehearsalController::readRecording(robot::BagLibrary& library, const robot:
   connect(job_.get(), &excerpt::ExcerptJob::progressed, this, [this](double share) {
     dock_->setSaid(tr("Reading %1: %2 %").arg(called()).arg(int(100 * std::clamp(share, 0.0, 1.0))));
   });
-  library.info(key, [this, over = cancelled_](const robot::Outcome<robot::BagInfo>& info) {
+  library.info(key, [this, over = over_](const robot::Outcome<robot::BagInfo>& info) {
     if (*over) return;
     if (info && info->interrupted)
       lost_ = tr("Its end is missing: the recording was interrupted, or is still going on.");
@@ -242,27 +242,16 @@ void RehearsalController::run(const QString& track_file) {
   render::PlacedGrid map = ground->map;
   // As it is painted at present.
   if (const auto drawn = context_.scene.wholeMap(); drawn && drawn->reference == map.reference) map = *drawn;
-  share_.startLong([this, cancelled = cancelled_, file = track_file.toStdString(), map, options] {
-    // Unless it is cancelled meanwhile.
-    const auto post = [&](auto what) {
-      QMetaObject::invokeMethod(
-          this,
-          [cancelled, what = std::move(what)] {
-            if (!*cancelled) what();
-          },
-          Qt::QueuedConnection);
-    };
-    if (*cancelled) return;
+  run_.start([this, file = track_file.toStdString(), map, options](const auto&) -> BackgroundRun::Then {
     const auto bytes = disk::readFile(file, kMostTrackBytes);
-    if (!bytes) return post([this, why = bytes.error()] { forget(sentences::wordsOf(why.cause)); });
+    if (!bytes) return [this, why = bytes.error()] { forget(sentences::wordsOf(why.cause)); };
     const auto track = replay::trackFrom(*bytes);
     if (!track)
-      return post(
-          [this] { forget(tr("This is no track. Choose a recording, or a track that was exported.")); });
+      return [this] { forget(tr("This is no track. Choose a recording, or a track that was exported.")); };
     std::vector<carry::WayPoint> way;
     for (const replay::TrackPoint& point : *track)
       way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece, point.map});
-    post([this, found = carry::Rehearsal(map, options).of(way)] { onRehearsed(found); });
+    return [this, found = carry::Rehearsal(map, options).of(way)] { onRehearsed(found); };
   });
 }
 
@@ -290,8 +279,9 @@ void RehearsalController::onEdited() {
 }
 
 void RehearsalController::forget(const QString& said) {
-  cancelled_->store(true);
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  *over_ = true;
+  over_ = std::make_shared<bool>(false);
+  run_.forget();
   job_.reset();
   track_file_.clear();
   ground_.reset();

@@ -2,7 +2,6 @@
 // map is laid, the way was driven on that one. Why: docs/tasks/new-map.md.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,10 +13,10 @@
 #include "render/sample_grid.h"
 #include "robot/bag_library.h"
 #include "robot/robot.h"
+#include "ui/kit/background_run.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/laid_map.h"
 #include "ui/shell/window_context.h"
-#include "work/workers.h"
 
 namespace mapwright::carry {
 struct Rehearsed;
@@ -102,8 +101,8 @@ class RehearsalController : public Controller {
   QTemporaryDir folder_;
   std::unique_ptr<robot::Robot> origin_;  // of the recording
   std::unique_ptr<excerpt::ExcerptJob> job_;
-  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  work::Tasks share_;  // last member: waits for running work
+  std::shared_ptr<bool> over_ = std::make_shared<bool>(false);  // answers do not count any more
+  BackgroundRun run_;
 };
 
 }  // namespace mapwright::ui

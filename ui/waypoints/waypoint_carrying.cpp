@@ -63,7 +63,7 @@ void WaypointCarrying::onPoints(robot::Outcome<std::vector<map::Waypoint>> point
   std::vector<carry::Spot> spots;
   for (const map::Waypoint& point : points_) spots.push_back({point.position_m, point.yaw_rad});
   const carry::CarryOptions options{.radius_m = warnings_->radius(), .adjust = adjusts()};
-  start([this, spots = std::move(spots), options](const carry::Site& site) -> CarryRun::Then {
+  start([this, spots = std::move(spots), options](const carry::Site& site) -> BackgroundRun::Then {
     return [this, carried = site.carried(spots, options)] {
       std::vector<CarryRow> rows;
       for (std::size_t i = 0; i < carried.size(); ++i)
