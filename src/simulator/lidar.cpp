@@ -181,15 +181,7 @@ double hit(const Solid& solid, const Vector2d& start, const Vector2d& direction)
   const double p[2] = {-(c * offset.x() + s * offset.y()), s * offset.x() - c * offset.y()};
   const double d[2] = {c * direction.x() + s * direction.y(), -s * direction.x() + c * direction.y()};
   double from = 0, to = kNever;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (std::abs(d[axis]) < 1e-12) {
-      if (std::abs(p[axis]) > solid.half[axis]) return kNever;
-      continue;
-    }
-    const double a = (-solid.half[axis] - p[axis]) / d[axis], b = (solid.half[axis] - p[axis]) / d[axis];
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-  }
+  for (int axis = 0; axis < 2; ++axis) narrow(d[axis], p[axis], solid.half[axis], from, to);
   return from <= to ? from : kNever;
 }
 
