@@ -18,8 +18,9 @@ class AbsenceText {
   Q_DECLARE_TR_FUNCTIONS(Absence)
 };
 
+/// In other words where the program itself says what is missing.
 QString argument(const Absence& absence) {
-  return absence.arguments.empty() ? QString() : QString::fromStdString(absence.arguments.front());
+  return absence.arguments.empty() ? QString() : AbsenceText::tr(absence.arguments.front().c_str());
 }
 
 struct Lack {

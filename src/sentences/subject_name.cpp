@@ -81,7 +81,7 @@ QString nameOf(const Subject& subject) {
     case SubjectKind::Condition:
       return conditionName(subject.id);
     case SubjectKind::Other:
-      break;
+      return SubjectText::tr(subject.id.c_str());  // the program has named some of them itself
   }
   return id;
 }

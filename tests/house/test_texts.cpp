@@ -65,16 +65,20 @@ QList<Literal> literalsOf(const QString& source) {
   return literals;
 }
 
-/// Several words that begin large or end with a full stop, or three and more in a row.
+/// Several words that begin large or end with a full stop, or three and more. Statements of SQL, markup and
+/// code are none.
 bool isSentence(const QString& text) {
   static const QRegularExpression words(QStringLiteral("[a-z]{2,},? [a-z]")),
-      several(QStringLiteral("\\b[a-z]+,? [a-z]+,? [a-z]{2,}\\b")), begins(QStringLiteral("^[A-Z][a-z]")),
-      ends(QStringLiteral("[a-z)]\\.$")), places(QStringLiteral("%[0-9n]"));
+      several(QStringLiteral("\\b[a-z]+,? [a-z]+,? [a-z]{2,}\\b")), any(QStringLiteral("\\b[A-Za-z]{2,}\\b")),
+      code(QStringLiteral("[<>{};=]|://|yyyy|\\b(SELECT|FROM|WHERE|ROS)\\b|\\\\n")),
+      begins(QStringLiteral("^[A-Z][a-z]")), ends(QStringLiteral("[a-z)]\\.$")),
+      places(QStringLiteral("%[0-9n]"));
   QString plain = text;
   plain.replace(places, QStringLiteral("x"));
   plain = plain.trimmed();
   return plain.contains(several) ||
-         (plain.contains(words) && (plain.contains(begins) || plain.contains(ends)));
+         (plain.contains(words) && (plain.contains(begins) || plain.contains(ends) ||
+                                    (plain.count(any) > 2 && !plain.contains(code))));
 }
 
 /// Logs are read by who debugs, and searched for: they stay in English.
@@ -120,6 +124,7 @@ void TestTexts::sentencesOutsideOfTrAreFound() {
            QStringLiteral("The map is gone."));
   QCOMPARE(wrong("say(\"it is %1.\");"), QStringLiteral("it is %1."));
   QCOMPARE(wrong("why = \"its data is damaged\";"), QStringLiteral("its data is damaged"));
+  QCOMPARE(wrong("lacks = \"map dispatcher (REP 130)\";"), QStringLiteral("map dispatcher (REP 130)"));
   QCOMPARE(wrong("say(tr(\"The map is gone.\"), Words::tr(\"It is \"\n"
                  "      \"back.\"), QCoreApplication::translate(\"window\", \"It is here.\"), '\"'); // "
                  "\"Not a text.\""),
@@ -136,6 +141,7 @@ void TestTexts::whatPeopleReadCanBeTranslated() {
       QStringLiteral("pairs are read as bytes"),
       QStringLiteral("packed records are read as they lie in memory"),
       QStringLiteral("requests a version that we don't support"),
+      QStringLiteral("processHandshake: Unknown error condition"),
       // What a server says, to be cut off.
       QStringLiteral("responded with an error: "),
       QStringLiteral("does not exist"),

@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include <QCoreApplication>
 #include <google/protobuf/descriptor.pb.h>
 #include <google/protobuf/util/json_util.h>
 
@@ -130,7 +131,10 @@ QByteArray hexDump(std::string_view bytes) {
     dump += '\n';
   }
   if (shown.size() < bytes.size()) {
-    dump += "and " + QByteArray::number(qulonglong(bytes.size() - shown.size())) + " bytes more\n";
+    dump += QCoreApplication::translate("axbot", "and %1 bytes more")
+                .arg(qulonglong(bytes.size() - shown.size()))
+                .toUtf8() +
+            '\n';
   }
   return dump;
 }

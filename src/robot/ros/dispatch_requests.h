@@ -143,7 +143,7 @@ class DispatchRequests : public QObject {
 };
 
 /// What a dispatcher is called of which nothing is known.
-inline constexpr const char* kDispatcher = "map dispatcher (REP 130)";
+inline constexpr const char* kDispatcher = QT_TRANSLATE_NOOP("Subject", "map dispatcher (REP 130)");
 /// The service that gives points or occupied cells, all or a region of them.
 DispatchService cloudService(CloudKind kind, bool region);
 /// What is said where there is no dispatcher, or where it lacks a service.

@@ -344,11 +344,13 @@ Absence RosRobot::unavailableReason(Capability capability) const {
   const bool managers = capability == Capability::Waypoints || capability == Capability::WaypointEditing ||
                         capability == Capability::Administration;
   if (capability == Capability::PictureEditing && has_manager_)
-    return {Absence::Reason::NoService, {"service /map_manager/update_map_image"}};
+    return {Absence::Reason::NoService,
+            {QT_TRANSLATE_NOOP("Absence", "service /map_manager/update_map_image")}};
   if (managers || capability == Capability::PictureEditing)
-    return {Absence::Reason::NoService, {"KABAM map manager (/map_manager)"}};
+    return {Absence::Reason::NoService, {QT_TRANSLATE_NOOP("Absence", "KABAM map manager (/map_manager)")}};
   if (capability == Capability::Dispatch)
-    return {Absence::Reason::NoService, {"map dispatcher (REP 130: get_sub_map, get_point_map …)"}};
+    return {Absence::Reason::NoService,
+            {QT_TRANSLATE_NOOP("Absence", "map dispatcher (REP 130: get_sub_map, get_point_map …)")}};
   return {};
 }
 
