@@ -6,6 +6,7 @@
 #include "app/command_text.h"
 #include "disk/read_file.h"
 #include "grids/grid_pyramid.h"
+#include "map/live_state.h"
 #include "placing/warnings.h"
 #include "robot/sends_map.h"
 #include "sentences/problem_sentence.h"

@@ -5,6 +5,7 @@
 #include "app/command_text.h"
 #include "app/report.h"
 #include "grids/grid_pyramid.h"
+#include "map/world.h"
 #include "regions/region_fetch.h"
 #include "robot/map_dispatch.h"
 #include "robot/sends_map.h"

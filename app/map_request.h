@@ -15,6 +15,10 @@
 #include "robot/call.h"
 #include "session/session_options.h"
 
+namespace mapwright::map {
+struct MapInfo;
+}
+
 namespace mapwright::app {
 
 /// --region: "X,Y,LX,LY", the centre and the side lengths in metres. The error is a sentence.

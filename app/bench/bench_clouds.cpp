@@ -16,6 +16,7 @@
 
 #include "clouds/cloud_store.h"
 #include "clouds/draw_cloud.h"
+#include "render/tile_renderer.h"
 #include "ui/scene/map_scene.h"
 
 namespace {

@@ -15,6 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include "cells/cell_texture.h"
+#include "render/tile_renderer.h"
 #include "ui/scene/map_scene.h"
 
 namespace {

@@ -17,6 +17,8 @@
 #include <spng.h>
 
 #include "grids/grid_pyramid.h"
+#include "map/live_topics.h"
+#include "render/tile_renderer.h"
 #include "session/session_options.h"
 #include "ui/scene/map_scene.h"
 

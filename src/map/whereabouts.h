@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "map/catalogue.h"
-#include "map/live_state.h"
 
 namespace mapwright::map {
+
+struct LiveState;
 
 enum class Whereabouts { Here, Elsewhere, Unknown };
 

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "map/live_topics.h"
 #include "map/submap_version.h"
 #include "recorder/layout.h"
 #include "robot/sends_map.h"

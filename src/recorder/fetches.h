@@ -19,6 +19,10 @@
 #include "map/submap.h"
 #include "robot/robot.h"
 
+namespace mapwright::map {
+struct StampedMessage;
+}
+
 namespace mapwright::recorder {
 
 /// Which submaps a recording requests. Pure; time is passed in.

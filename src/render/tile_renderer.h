@@ -23,6 +23,12 @@ struct TileCounts {
   std::size_t dense_bytes = 0;  // of cells prepared for drawing
 };
 
+struct TileRendererOptions {
+  work::Budgets budgets = work::budgetsFrom();  // it uses `tiles` and `dense`
+  std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
+  bool previews = true;                         // false: only exact tiles are shown (snapshots)
+};
+
 /// GUI-thread object; composes on the thread pool. The cost of a frame depends on the screen, not on the map.
 ///
 /// - Textures are kept in a spatial index; changing one only dirties the tiles under its old and new bounds.
@@ -39,11 +45,7 @@ struct TileCounts {
 class TileRenderer : public RasterTiles {
   Q_OBJECT
  public:
-  struct Options {
-    work::Budgets budgets = work::budgetsFrom();  // it uses `tiles` and `dense`
-    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
-    bool previews = true;                         // false: only exact tiles are shown (snapshots)
-  };
+  using Options = TileRendererOptions;
   explicit TileRenderer(Options options, QObject* parent = nullptr);
 
   /// Adds or replaces (same id) textures; a moved pose is a replacement with the same texture pointer.

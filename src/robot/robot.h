@@ -23,12 +23,15 @@
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
-#include "map/live_topics.h"
 #include "map/problem.h"
 #include "map/stream.h"
 #include "map/submap.h"
 #include "map/waypoint.h"
 #include "robot/call.h"
+
+namespace mapwright::map {
+struct StampedMessage;
+}
 
 namespace mapwright::robot {
 

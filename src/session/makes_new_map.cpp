@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "map/live_state.h"
 #include "map/whereabouts.h"
 #include "robot/map_administration.h"
 #include "robot/robot.h"

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "map/live_state.h"
+
 namespace mapwright::session {
 
 SafetyWatch::SafetyWatch(const map::LiveState& live, std::function<double()> now_s, QObject* parent)

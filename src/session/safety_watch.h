@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "map/live_state.h"
+#include "map/safety.h"
 
 namespace mapwright::session {
 

@@ -8,6 +8,7 @@
 #include "grids/grid_pyramid.h"
 #include "grids/tile_cache.h"
 #include "map/live_state.h"
+#include "map/world.h"
 #include "robot/robot.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
@@ -42,6 +43,8 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       resources_(
           std::make_unique<grids::Resources>(work::orOwn(std::move(options.workers)),
                                              std::make_shared<grids::TileCache>(options.budgets.unpacked))),
+      world_(std::make_unique<map::World>()),
+      live_(world_->live),
       safety_(live_, [this] { return wallSeconds(); }),
       submaps_(std::make_unique<Submaps>(
           [this] { return robot_->submapSource(); },
@@ -212,7 +215,7 @@ void Session::onMessage(const map::StampedMessage& stamped) {
   const bool known = !first && map::repeats(live_, message);
   const double unchanged_s = known && heard->second ? heard->second->unchanged_s : stamped.at_s();
   heard->second = Heard{QString::fromStdString(stamped.topic), stamped.at_s(), unchanged_s};
-  world_ = map::reduce(std::move(world_), stamped);
+  *world_ = map::reduce(std::move(*world_), stamped);
   if (live_.frame != frame) {
     // Latched data (landmarks, doors, the map) may have arrived before the message about the new frame: a new
     // subscription gets it again.
@@ -247,7 +250,7 @@ void Session::reset(map::World world, bool whole) {
   std::erase_if(world.live.safety, [](const map::SafetyCondition& each) { return each.ended_s.has_value(); });
   world.live.frame = live_.frame + 1;
   const std::optional<map::SubmapList> list = world.submaps;
-  world_ = std::move(world);
+  *world_ = std::move(world);
   onFrame();
   if (list && submaps_wanted_) submaps_->onList(*list);
   if (!list && whole) submaps_->forgetList();

@@ -17,7 +17,9 @@
 #include <QTimer>
 
 #include "geometry/rect.h"
-#include "map/world.h"
+#include "map/problem.h"
+#include "map/stream.h"
+#include "map/submap.h"
 #include "robot/robot.h"
 #include "session/catalogue.h"
 #include "session/map_slot.h"
@@ -27,6 +29,12 @@
 #include "session/submap_tally.h"
 #include "work/budgets.h"
 
+namespace mapwright::map {
+struct GridMessage;
+struct LiveState;
+struct StampedMessage;
+struct World;
+}  // namespace mapwright::map
 namespace mapwright::submap {
 class SubmapStore;
 }
@@ -57,7 +65,7 @@ class Session : public QObject {
   robot::ConnectionState connection() const { return robot_->connection(); }
   const map::LiveState& live() const { return live_; }
   /// Everything received from the robot.
-  const map::World& world() const { return world_; }
+  const map::World& world() const { return *world_; }
   /// When messages of a kind came, seconds since the epoch (of a replay: of the bag).
   struct Heard {
     QString topic;           // the robot's name for it; may be empty
@@ -193,8 +201,8 @@ class Session : public QObject {
   std::function<std::chrono::milliseconds()> monotonic_;
   std::function<QDateTime()> wall_;
   const std::unique_ptr<const grids::Resources> resources_;
-  map::World world_;
-  map::LiveState& live_ = world_.live;
+  const std::unique_ptr<map::World> world_;
+  map::LiveState& live_;  // its
   SafetyWatch safety_;
   const std::unique_ptr<Submaps> submaps_;
   ProblemLog problems_;

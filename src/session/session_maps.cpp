@@ -6,6 +6,7 @@
 
 #include <QPointer>
 
+#include "map/live_state.h"
 #include "robot/map_dispatch.h"
 #include "robot/picture_store.h"
 #include "robot/sends_map.h"

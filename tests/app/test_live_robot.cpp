@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "map/live_state.h"
 #include "robot/axbot/axbot_robot.h"
 #include "sentences/fault_sentence.h"
 #include "session/session_options.h"

@@ -13,6 +13,7 @@
 #include "app/robot_factory.h"
 #include "app/snapshot_run.h"
 #include "test_program.h"
+#include "ui/scene/map_theme.h"
 
 namespace test_snapshot_run {
 

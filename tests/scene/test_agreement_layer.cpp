@@ -8,8 +8,10 @@
 #include <QTest>
 
 #include "agreement/survey.h"
+#include "render/tile_renderer.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"
+#include "ui/scene/map_theme.h"
 
 namespace test_agreement_layer {
 

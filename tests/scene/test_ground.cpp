@@ -10,9 +10,12 @@
 #include <QWindow>
 
 #include "fake_robot.h"
+#include "map/live_topics.h"
+#include "render/tile_renderer.h"
 #include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"
+#include "ui/scene/map_theme.h"
 
 namespace test_ground {
 

@@ -9,6 +9,8 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "map/live_topics.h"
+#include "render/tile_renderer.h"
 #include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/drawing.h"

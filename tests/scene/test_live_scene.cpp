@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "render/tile_renderer.h"
 #include "session/layer_grids.h"
 #include "session/session_options.h"
 #include "test_program.h"

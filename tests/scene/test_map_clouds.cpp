@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "clouds/cloud_store.h"
+#include "render/tile_renderer.h"
 #include "test_program.h"
 #include "ui/scene/clouds_layer.h"
 #include "ui/scene/map_scene.h"

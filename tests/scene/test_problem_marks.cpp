@@ -6,6 +6,8 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "map/live_topics.h"
+#include "render/tile_renderer.h"
 #include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"

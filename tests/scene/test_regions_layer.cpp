@@ -7,6 +7,7 @@
 #include "fake_dispatch.h"
 #include "fake_robot.h"
 #include "regions/region_map.h"
+#include "render/tile_renderer.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"
 

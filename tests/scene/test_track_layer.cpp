@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QTest>
 
+#include "render/tile_renderer.h"
 #include "test_program.h"
 #include "ui/scene/map_scene.h"
 #include "ui/scene/track.h"

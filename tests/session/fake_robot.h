@@ -11,6 +11,7 @@
 
 #include <QDateTime>
 
+#include "map/live_topics.h"
 #include "robot/robot.h"
 #include "topic_names.h"
 

@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "map/world.h"
 #include "session/safety_watch.h"
 #include "test_program.h"
 

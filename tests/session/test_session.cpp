@@ -5,6 +5,7 @@
 
 #include "fake_robot.h"
 #include "map/faults.h"
+#include "map/live_state.h"
 #include "robot/axbot/faults.h"
 #include "session/faults.h"
 #include "session/session_options.h"

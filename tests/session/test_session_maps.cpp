@@ -5,6 +5,7 @@
 
 #include "fake_robot.h"
 #include "grids/grid_pyramid.h"
+#include "map/world.h"
 #include "robot/aimdk/faults.h"
 #include "robot/map_dispatch.h"
 #include "sentences/problem_sentence.h"

@@ -7,6 +7,7 @@
 
 #include "fake_robot.h"
 #include "grids/grid_pyramid.h"
+#include "map/live_state.h"
 #include "session/layer_grids.h"
 #include "session/session_options.h"
 #include "submap/submap_store.h"

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "../session/fake_robot.h"
+#include "map/live_state.h"
 #include "robot/offers_topics.h"
 #include "session/session_options.h"
 #include "test_program.h"

@@ -3,8 +3,10 @@
 #include <QTest>
 
 #include "../session/fake_robot.h"
+#include "render/tile_renderer.h"
 #include "session/session_options.h"
 #include "test_program.h"
+#include "ui/scene/map_theme.h"
 #include "ui/shot/picture.h"
 
 namespace test_scene_picture {

@@ -11,6 +11,7 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "render/tile_renderer.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/slam/closures_dock.h"

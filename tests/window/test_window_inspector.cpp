@@ -7,6 +7,7 @@
 #include <QTreeView>
 #include <QtTest>
 
+#include "render/tile_colors.h"
 #include "submap/submap_store.h"
 #include "test_program.h"
 #include "ui/kit/status_text.h"

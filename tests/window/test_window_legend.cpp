@@ -13,6 +13,7 @@
 #include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/maps/maps_model.h"
+#include "ui/scene/map_theme.h"
 #include "ui/view/compare_bar.h"
 #include "window_bench.h"
 #include "window_parts.h"

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "render/tile_colors.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/layers/layers_controller.h"
@@ -20,6 +21,7 @@
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/problems_dock.h"
 #include "ui/robot/robot_dock.h"
+#include "ui/scene/map_theme.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/slam/inspector_dock.h"
 #include "ui/view/empty_state.h"

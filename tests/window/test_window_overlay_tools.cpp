@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "map/live_state.h"
 #include "overlays/overlay_arrange.h"
 #include "overlays/overlay_types.h"
 #include "overlays_desk.h"

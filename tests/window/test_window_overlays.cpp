@@ -20,6 +20,7 @@
 #include <QtTest>
 
 #include "edit/overlays/overlay_drafts.h"
+#include "map/live_state.h"
 #include "overlays/overlay_shapes.h"
 #include "overlays_desk.h"
 #include "robot/axbot/axbot_address.h"

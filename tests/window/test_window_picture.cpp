@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "edit/picture/picture_drafts.h"
+#include "render/sample_grid.h"
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "test_program.h"

@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QLineEdit>
 
+#include "render/tile_colors.h"
 #include "sentences/absence_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"

@@ -11,6 +11,10 @@
 
 class QActionGroup;
 
+namespace mapwright::render {
+enum class ColorMode;
+}
+
 namespace mapwright::ui {
 
 class LayersDock;

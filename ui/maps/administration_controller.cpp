@@ -20,6 +20,7 @@
 
 #include "jobs/change_map.h"
 #include "jobs/set_pose.h"
+#include "map/live_state.h"
 #include "map/waypoint.h"
 #include "robot/sends_map.h"
 #include "sentences/absence_sentence.h"

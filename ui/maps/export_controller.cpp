@@ -25,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include "cells/cell_texture.h"
+#include "render/sample_grid.h"
 #include "robot/address.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
@@ -36,6 +37,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/scene/map_scene.h"
+#include "ui/scene/map_theme.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"

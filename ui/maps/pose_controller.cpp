@@ -5,6 +5,7 @@
 #include <QAction>
 
 #include "jobs/set_pose.h"
+#include "map/live_state.h"
 #include "robot/localization.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"

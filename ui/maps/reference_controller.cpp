@@ -13,6 +13,7 @@
 #include <QUndoCommand>
 
 #include "align/alignment_sentence.h"
+#include "map/live_state.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"

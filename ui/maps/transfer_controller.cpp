@@ -20,6 +20,7 @@
 #include "jobs/export_map.h"
 #include "jobs/map_folder.h"
 #include "jobs/new_map.h"
+#include "map/live_state.h"
 #include "sentences/failure_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"

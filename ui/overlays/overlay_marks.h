@@ -16,6 +16,10 @@
 #include "ui/scene/drawn_waypoint.h"
 #include "ui/scene/map_scene.h"
 
+namespace mapwright::ui::scene {
+struct MapTheme;
+}
+
 namespace mapwright::ui {
 
 struct OverlayMark {

@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include "grids/grid_pyramid.h"
+#include "render/sample_grid.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/scene/drawing.h"
 #include "ui/view/map_tool.h"

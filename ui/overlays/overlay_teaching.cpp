@@ -4,6 +4,7 @@
 
 #include <QMenu>
 
+#include "map/live_state.h"
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_types.h"
 #include "robot/overlay_store.h"

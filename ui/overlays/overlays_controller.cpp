@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "grids/grid_pyramid.h"
+#include "map/live_state.h"
 #include "map/live_topics.h"
 #include "overlays/overlay_check.h"
 #include "overlays/overlay_merge.h"

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "jobs/change_map.h"
+#include "map/live_state.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "session/session.h"

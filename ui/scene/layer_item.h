@@ -35,6 +35,10 @@
 #include "ui/scene/problem_marks.h"
 #include "ui/scene/track.h"
 
+namespace mapwright::render {
+class TileRenderer;
+}
+
 namespace mapwright::ui::scene {
 
 /// Draws many thin lines quickly, on a transparent sheet of the viewport's size. Lines drawn directly onto a

@@ -10,7 +10,7 @@
 #include <QString>
 
 #include "geometry/rect.h"
-#include "map/live_topics.h"
+#include "map/submap.h"
 #include "ui/scene/layer.h"
 
 namespace mapwright::ui::scene {
@@ -45,14 +45,14 @@ struct ObjectProperty {
 struct MapObject {
   ObjectId id;
   ObjectForm form = ObjectForm::Point;
-  QString kind;                            // "Auto door"
-  QString name;                            // one line of plain text; empty = it has none
-  Eigen::Vector2d at_m{0, 0};              // world; the middle of a line or an area
-  std::optional<double> yaw_rad;           // world, counter-clockwise
-  std::vector<map::Polyline> parts;        // its lines, or its rings; none for a point
-  std::int64_t look = 0;                   // which of its layer's looks (LayerSpec::sample)
-  std::vector<ObjectProperty> properties;  // what else is known, most important first
-  int topic = -1;                          // map::topicIndex() of the message that it comes from; -1 = none
+  QString kind;                                     // "Auto door"
+  QString name;                                     // one line of plain text; empty = it has none
+  Eigen::Vector2d at_m{0, 0};                       // world; the middle of a line or an area
+  std::optional<double> yaw_rad;                    // world, counter-clockwise
+  std::vector<std::vector<Eigen::Vector2d>> parts;  // its lines, or its rings; none for a point
+  std::int64_t look = 0;                            // which of its layer's looks (LayerSpec::sample)
+  std::vector<ObjectProperty> properties;           // what else is known, most important first
+  int topic = -1;  // map::topicIndex() of the message that it comes from; -1 = none
 
   /// A point for one without parts.
   geometry::WorldRect bounds() const;

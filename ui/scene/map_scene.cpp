@@ -7,6 +7,7 @@
 
 #include "cells/cell_texture.h"
 #include "grids/grid_pyramid.h"
+#include "render/tile_renderer.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "submap/submap_store.h"
@@ -34,7 +35,9 @@ std::array<Eigen::Vector2d, 4> cornersOf(const submap::Placement& placement) {
 
 MapScene::MapScene(render::TileRenderer::Options renderer_options, std::shared_ptr<clouds::CloudStore> clouds,
                    QObject* parent)
-    : QGraphicsScene(parent), renderer_(std::make_unique<render::TileRenderer>(renderer_options)) {
+    : QGraphicsScene(parent),
+      color_mode_(render::ColorMode::Normal),
+      renderer_(std::make_unique<render::TileRenderer>(renderer_options)) {
   setItemIndexMethod(NoIndex);
   if (!clouds) clouds = std::make_shared<clouds::CloudStore>(renderer_options.workers);
   items_ = std::make_unique<SceneItems>(

@@ -16,15 +16,12 @@
 
 #include "geometry/view_transform.h"
 #include "map/grid_reference.h"
-#include "render/sample_grid.h"
-#include "render/tile_renderer.h"
 #include "session/session.h"
 #include "ui/scene/drawn_overlays.h"
 #include "ui/scene/drawn_waypoint.h"
 #include "ui/scene/layer.h"
 #include "ui/scene/legend_section.h"
 #include "ui/scene/map_object.h"
-#include "ui/scene/map_theme.h"
 #include "ui/scene/problem_marks.h"
 #include "ui/scene/repaint_pace.h"
 #include "ui/scene/robot_place.h"
@@ -41,12 +38,23 @@ class CloudStore;
 namespace mapwright::map {
 struct Closures;
 }
+namespace mapwright::grids {
+class GridPyramid;
+}
 namespace mapwright::regions {
 class RegionMap;
 }
+namespace mapwright::render {
+enum class ColorMode;
+struct PlacedGrid;
+struct PlacedTexture;
+class TileRenderer;
+struct TileRendererOptions;
+}  // namespace mapwright::render
 
 namespace mapwright::ui::scene {
 
+struct MapTheme;
 class SceneItems;
 
 class MapScene : public QGraphicsScene {
@@ -54,7 +62,7 @@ class MapScene : public QGraphicsScene {
  public:
   /// `renderer_options.previews` false makes a scene for snapshots: only exact pictures, no animation, and
   /// the session is asked for nothing. `clouds`: those of the map; null = there are none.
-  explicit MapScene(render::TileRenderer::Options renderer_options,
+  explicit MapScene(render::TileRendererOptions renderer_options,
                     std::shared_ptr<clouds::CloudStore> clouds = nullptr, QObject* parent = nullptr);
   ~MapScene() override;
 
@@ -255,7 +263,7 @@ class MapScene : public QGraphicsScene {
 
   session::Session* session_ = nullptr;
   geometry::ViewTransform view_;
-  render::ColorMode color_mode_ = render::ColorMode::Normal;
+  render::ColorMode color_mode_;
   std::optional<render::ColorMode> drawn_color_mode_;
   std::unique_ptr<render::TileRenderer> renderer_;
   std::unique_ptr<SceneItems> items_;

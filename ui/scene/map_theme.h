@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QFont>
 
-#include "render/tile_renderer.h"
+#include "render/tile_colors.h"
 
 namespace mapwright::ui::scene {
 

@@ -5,6 +5,7 @@
 #include "grids/grid_pyramid.h"
 #include "regions/region_sheet.h"
 #include "render/grid_palettes.h"
+#include "render/tile_renderer.h"
 #include "session/layer_grids.h"
 
 namespace mapwright::ui::scene {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "map/live_state.h"
 #include "session/lacks_picture.h"
 #include "session/makes_new_map.h"
 #include "session/session.h"

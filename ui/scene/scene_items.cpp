@@ -10,6 +10,7 @@
 #include "geometry/polyline.h"
 #include "grids/grid_pyramid.h"
 #include "regions/region_sheet.h"
+#include "render/tile_renderer.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"

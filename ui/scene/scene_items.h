@@ -16,6 +16,11 @@
 
 class QGraphicsScene;
 
+namespace mapwright::render {
+class TileRenderer;
+struct TileRendererOptions;
+}  // namespace mapwright::render
+
 namespace mapwright::ui::scene {
 
 class SceneItems {
@@ -23,7 +28,7 @@ class SceneItems {
   /// The scene owns the items; this must outlive them.
   /// `labels_due` is called when labels must be placed anew.
   SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
-             const render::TileRenderer::Options& options, std::shared_ptr<clouds::CloudStore> clouds,
+             const render::TileRendererOptions& options, std::shared_ptr<clouds::CloudStore> clouds,
              std::function<void()> settled_changed, std::function<void()> labels_due);
 
   /// Gives every item its position in `order`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "map/live_state.h"
 #include "robot/offers_topics.h"
 #include "session/layer_grids.h"
 

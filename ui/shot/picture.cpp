@@ -11,8 +11,10 @@
 #include "disk/written_file.h"
 #include "grids/png_writer.h"
 #include "jobs/export_map.h"
+#include "render/tile_renderer.h"
 #include "submap/submap_store.h"
 #include "ui/scene/agreement_run.h"
+#include "ui/scene/map_theme.h"
 #include "work/budgets.h"
 
 namespace mapwright::ui::shot {

@@ -16,6 +16,7 @@
 #include "regions/region_map.h"
 #include "render/compositor.h"
 #include "render/sample_grid.h"
+#include "render/tile_colors.h"
 #include "session/session.h"
 #include "ui/scene/map_scene.h"
 #include "ui/scene/track.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "map/live_state.h"
 #include "robot/robot.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QRegularExpression>
 
+#include "render/tile_colors.h"
 #include "session/session.h"
 #include "submap/submap_store.h"
 #include "ui/kit/actions.h"

@@ -6,6 +6,10 @@
 #include "ui/scene/map_scene.h"
 #include "ui/shell/window_context.h"
 
+namespace mapwright::render {
+enum class ColorMode;
+}
+
 namespace mapwright::ui {
 
 class InspectorDock;

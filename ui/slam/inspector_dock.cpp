@@ -22,6 +22,8 @@
 #include <QVBoxLayout>
 
 #include "geometry/pose.h"
+#include "map/live_state.h"
+#include "render/tile_colors.h"
 #include "robot/slam_file.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"

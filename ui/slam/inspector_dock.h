@@ -21,6 +21,10 @@ class QSpinBox;
 class QToolButton;
 class QTreeView;
 
+namespace mapwright::render {
+enum class ColorMode;
+}
+
 namespace mapwright::ui {
 
 class PlainLabel;

@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include "ui/scene/map_scene.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::ui {
 namespace {

@@ -12,6 +12,7 @@
 #include <QPushButton>
 
 #include "geometry/pose.h"
+#include "map/live_state.h"
 #include "session/lacks_picture.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"

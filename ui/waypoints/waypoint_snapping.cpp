@@ -10,6 +10,7 @@
 
 #include "geometry/pose.h"
 #include "grids/grid_pyramid.h"
+#include "render/sample_grid.h"
 #include "ui/scene/drawing.h"
 #include "ui/scene/lengths.h"
 #include "ui/view/map_tool.h"

@@ -6,6 +6,7 @@
 
 #include "ui/kit/actions.h"
 #include "ui/scene/map_scene.h"
+#include "ui/scene/map_theme.h"
 
 namespace mapwright::ui {
 

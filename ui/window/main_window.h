@@ -17,6 +17,7 @@
 
 #include "clouds/cloud_store.h"
 #include "edit/open_waypoints.h"
+#include "render/tile_renderer.h"
 #include "robot/probe.h"
 #include "robot/robot.h"
 #include "session/session_options.h"

@@ -2,6 +2,8 @@
 
 #include <QMenu>
 
+#include "map/live_state.h"
+#include "render/tile_renderer.h"
 #include "robot/slam_file.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
