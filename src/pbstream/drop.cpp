@@ -114,7 +114,9 @@ Fault refusalOf(const StateFile& file, const Dropped& what) {
   for (const map::SubmapId id : what.submaps) {
     if (!file.find(id)) return {faultText("pbstream", "There is no submap %1 in it."), {map::toText(id)}};
   }
-  for (const auto& [submap, node] : what.closures) {
+  for (const auto& closure : what.closures) {
+    const map::SubmapId submap = closure.first;
+    const map::NodeId node = closure.second;
     const auto among = [&](map::ConstraintKind kind) {
       return std::any_of(graph.constraints.begin(), graph.constraints.end(), [&](const map::Constraint& one) {
         return one.submap == submap && one.node == node && one.kind == kind;

@@ -211,7 +211,7 @@ class SubmapReader {
           wire_.message([](int) { return false; });
           return true;
         case 5:
-          grid.tsdf.emplace();
+          grid.tsdf = Grid2D::Tsdf{};
           wire_.message([&](int of_tsdf) {
             if (of_tsdf == 1) grid.tsdf->truncation_m = wire_.fixed32();
             if (of_tsdf == 2) grid.tsdf->max_weight = wire_.fixed32();

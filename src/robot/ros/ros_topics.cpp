@@ -300,7 +300,8 @@ void choose(std::vector<Source>& sources, const Choices& choices,
       chosen.type = one.type;
       chosen.found = true;
     }
-    std::erase_if(sources, [&](const Source& source) {
+    // By name: clang 14 captures no structured binding.
+    std::erase_if(sources, [stream = stream, &topic = topic](const Source& source) {
       return source.stream == stream || (source.stream == Stream::SeenObjects && source.topic == topic &&
                                          isDrawn(plainType(source.type)));
     });
