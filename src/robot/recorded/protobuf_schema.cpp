@@ -1,5 +1,6 @@
 #include "robot/recorded/protobuf_schema.h"
 
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
@@ -30,6 +31,9 @@ namespace {
 namespace pb = google::protobuf;
 
 constexpr int kDeepest = 100;  // nested messages: as deep as protobuf itself allows
+// As CBOR every member has its name, also where the message says nothing of it: a few bytes may be many
+// names.
+constexpr std::uint64_t kMostCbor = std::uint64_t(64) << 20, kMostCborPerByte = 64;
 
 /// Errors in a definition are reported by the channel's reason.
 class Silent final : public pb::DescriptorPool::ErrorCollector {
@@ -41,14 +45,16 @@ class Silent final : public pb::DescriptorPool::ErrorCollector {
 /// Writes messages as maps.
 class CborOut {
  public:
-  explicit CborOut(QByteArray& out) : writer_(&out) {}
-  bool tooDeep() const { return too_deep_; }
+  CborOut(QByteArray& out, std::uint64_t most) : out_(out), most_(most), writer_(&out) {}
+  /// It is nested too deep, or longer than `most`.
+  bool gaveUp() const { return gave_up_; }
 
   void message(const pb::Message& message) {
-    if (++depth_ > kDeepest) too_deep_ = true;
+    if (++depth_ > kDeepest) gave_up_ = true;
     writer_.startMap();
     const pb::Descriptor& type = *message.GetDescriptor();
-    for (int i = 0; i < type.field_count() && !too_deep_; ++i) {
+    for (int i = 0; i < type.field_count() && !gave_up_; ++i) {
+      if (std::uint64_t(out_.size()) > most_) gave_up_ = true;
       const pb::FieldDescriptor& field = *type.field(i);
       // For members with presence, absent differs from zero; others are zero or empty if missing.
       const pb::Reflection& of = *message.GetReflection();
@@ -197,9 +203,11 @@ class CborOut {
     }
   }
 
+  const QByteArray& out_;
+  const std::uint64_t most_;
   QCborStreamWriter writer_;
   int depth_ = 0;
-  bool too_deep_ = false;
+  bool gave_up_ = false;
 };
 
 /// Some recorders leave out the definitions that come with protobuf itself.
@@ -271,9 +279,9 @@ tl::expected<QByteArray, Fault> ProtobufSchema::toCbor(std::span<const std::uint
   if (!fits || !message->ParsePartialFromArray(bytes.data(), int(bytes.size())))
     return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
   QByteArray cbor;
-  CborOut out(cbor);
+  CborOut out(cbor, kMostCbor + bytes.size() * kMostCborPerByte);
   out.message(*message);
-  if (out.tooDeep()) return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
+  if (out.gaveUp()) return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
   return cbor;
 }
 
