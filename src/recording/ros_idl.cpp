@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@ using IdlFault = RosSchemaFault;
 
 constexpr std::size_t kLongestIdl = std::size_t(1) << 20;
 constexpr std::size_t kMostIdlStructs = 1000, kMostIdlMembers = 10'000, kDeepestIdl = 32;
+// Of a name with all its modules: every member keeps those that it stands in.
+constexpr std::size_t kLongestIdlName = 255;
 
 struct Token {
   enum class Kind : std::uint8_t { End, Word, Number, Text, Mark } kind = Kind::End;
@@ -147,7 +150,12 @@ class IdlReader {
   }
   std::string word() {
     if (in_.now().kind != Token::Kind::Word) fail();
-    return std::string(in_.take().text);
+    return bounded(std::string(in_.take().text));
+  }
+  std::string bounded(std::string name) {
+    if (name.size() <= kLongestIdlName) return name;
+    fail(IdlFault::Code::TooLong);
+    return {};
   }
 
   /// @name, @name(…), any number of them.
@@ -174,7 +182,7 @@ class IdlReader {
     if (depth > kDeepestIdl) return fail(IdlFault::Code::TooLong);
     annotations();
     if (in_.skipIf("module")) {
-      const std::string own = inside(scope, word());
+      const std::string own = bounded(inside(scope, word()));
       expect("{");
       while (!fault_ && !in_.is("}") && in_.now().kind != Token::Kind::End) declaration(own, depth + 1);
       expect("}");
@@ -182,7 +190,7 @@ class IdlReader {
     } else if (in_.skipIf("struct")) {
       structure(scope);
     } else if (in_.skipIf("enum")) {
-      enums_.push_back(inside(scope, word()));
+      enums_.insert(inside(scope, word()));
       expect("{");
       skipTo("}", "{");
       in_.skipIf(";");
@@ -234,7 +242,7 @@ class IdlReader {
     const Token token = in_.take();
     std::string text(token.text);
     if (token.kind == Token::Kind::Word) {
-      while (in_.skipIf("::")) text += "::" + word();
+      while (!fault_ && in_.skipIf("::")) text = bounded(text + "::" + word());
       const auto found =
           resolved(text, scope, [&](const std::string& name) { return constants_.contains(name); });
       text = found ? constants_[*found] : std::string();
@@ -309,7 +317,7 @@ class IdlReader {
       type.field.kind = kind;
       return type;
     }
-    while (in_.skipIf("::")) name += "::" + word();
+    while (!fault_ && in_.skipIf("::")) name = bounded(name + "::" + word());
     type.field.kind = RosKind::Nested;
     type.name = std::move(name);
     return type;
@@ -336,8 +344,7 @@ class IdlReader {
       IdlType type = member;
       for (std::size_t hops = 0; type.field.kind == RosKind::Nested; ++hops) {
         const auto known = [&](const std::string& full) {
-          return structs_.contains(full) || typedefs_.contains(full) ||
-                 std::find(enums_.begin(), enums_.end(), full) != enums_.end();
+          return structs_.contains(full) || typedefs_.contains(full) || enums_.contains(full);
         };
         const auto full = resolved(type.name, type.scope, known);
         if (!full && isTime(type.name)) {
@@ -400,7 +407,7 @@ class IdlReader {
   std::map<std::string, IdlStruct> structs_;
   std::map<std::string, IdlType> typedefs_;
   std::map<std::string, std::string> constants_;
-  std::vector<std::string> enums_;
+  std::set<std::string> enums_;
   std::size_t members_ = 0;
   std::map<std::string, std::pair<std::size_t, bool>> made_;  // index in the schema, whether it is complete
   RosSchema schema_;

@@ -390,6 +390,21 @@ class Rosbag2Test : public QObject {
     QVERIFY(read > 100);
   }
 
+  /// Ten thousand members in a module of half a megabyte were five gigabytes.
+  void namesInIdlAreNoLongerThanAnybodyWrites() {
+    const auto inModule = [](const std::string& module) {
+      return parseRosIdl(module + "/B", "module " + module + " { struct B { float x; }; };");
+    };
+    const auto isTooLong = [](const auto& made) {
+      return !made && made.error().code == RosSchemaFault::Code::TooLong;
+    };
+    const std::string half(130, 'm');
+    QVERIFY(inModule(std::string(255, 'm')));
+    QVERIFY(isTooLong(inModule(std::string(256, 'm'))));
+    QVERIFY(isTooLong(inModule(half + " { module " + half)));
+    QVERIFY(isTooLong(parseRosIdl("a/B", "module a { struct B { " + half + "::" + half + " x; }; };")));
+  }
+
   void whateverStandsInAnIdlReadingEnds() {
     QVERIFY(!parseRosIdl("a/B", "module a { struct B { B b; }; };"));
     QVERIFY(!parseRosIdl("a/B", "module a { typedef C D; typedef D C; struct B { C c; }; };"));
