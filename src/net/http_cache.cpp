@@ -32,8 +32,9 @@ constexpr char kMagic[] = "MWCACHE2";
 constexpr qsizetype kMagicBytes = 8;
 constexpr qsizetype kHeadBytes = kMagicBytes + 4;  // and a CRC-32, as fast as the bytes can be read
 constexpr qint64 kForever = -1;
-constexpr int kStoresBetweenScans = 512;       // or as many as there are files, if there are more
-constexpr qint64 kUnfinishedMs = 3600 * 1000;  // a temporary file of another process this old was abandoned
+constexpr qint64 kLongestAge = qint64(1) << 31;  // seconds; RFC 9111: longer ages may be treated as this one
+constexpr int kStoresBetweenScans = 512;         // or as many as there are files, if there are more
+constexpr qint64 kUnfinishedMs = 3600 * 1000;    // a temporary file of another process this old was abandoned
 constexpr qint64 kTouchEveryMs = 60 * 1000;
 constexpr QFileDevice::Permissions kPrivateFolder =
     QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner;
@@ -52,7 +53,6 @@ struct CacheControl {
 };
 
 qint64 parseAge(QByteArray text) {
-  constexpr qint64 kLongestAge = qint64(1) << 31;  // RFC 9111: longer ages may be treated as this one
   text = text.trimmed();
   if (text.size() >= 2 && text.startsWith('"') && text.endsWith('"')) text = text.mid(1, text.size() - 2);
   const bool digits =
@@ -158,7 +158,8 @@ class HttpCache::Folder {
     stream.setVersion(QDataStream::Qt_6_4);
     stream >> record.url >> record.content_type >> record.etag >> record.stored_ms >> record.fresh_s >>
         record.body;
-    if (stream.status() != QDataStream::Ok || record.url != url) return {std::nullopt, true};
+    const bool times = record.stored_ms >= 0 && record.fresh_s >= kForever && record.fresh_s <= kLongestAge;
+    if (stream.status() != QDataStream::Ok || record.url != url || !times) return {std::nullopt, true};
     touch(path, now_ms);
     return {std::move(record), false};
   }

@@ -1,4 +1,5 @@
 #include <atomic>
+#include <limits>
 #include <sys/stat.h>
 
 #include <QDir>
@@ -6,7 +7,9 @@
 #include <QSemaphore>
 #include <QTemporaryDir>
 #include <QThread>
+#include <QtEndian>
 #include <QtTest>
+#include <libdeflate.h>
 
 #include "fault_arguments.h"
 #include "net/http_cache.h"
@@ -193,6 +196,8 @@ class TestHttpCache : public QObject {
     QTest::addRow("one bit changed") << 3;
     QTest::addRow("garbage") << 4;
     QTest::addRow("longer") << 5;
+    QTest::addRow("fresh for ever and a day") << 6;
+    QTest::addRow("stored before all time") << 7;
   }
   void damagedFilesReadAsAMissAndAreRemoved() {
     QFETCH(int, damage);
@@ -220,8 +225,15 @@ class TestHttpCache : public QObject {
       case 4:
         bytes.fill('\xff');
         break;
-      default:
+      case 5:
         bytes.append('x');
+        break;
+      default:  // numbers that no cache writes, and the right checksum
+        constexpr qsizetype kBody = 1004;
+        qToBigEndian(std::numeric_limits<qint64>::min(),
+                     bytes.data() + bytes.size() - kBody - (damage == 6 ? 8 : 16));
+        qToBigEndian(libdeflate_crc32(0, bytes.constData() + 12, std::size_t(bytes.size() - 12)),
+                     bytes.data() + 8);
     }
     file.resize(0);
     file.seek(0);
