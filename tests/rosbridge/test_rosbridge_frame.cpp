@@ -177,6 +177,12 @@ class TestRosbridgeFrame : public QObject {
     QCOMPARE(object->rawMember("a"), std::optional<std::string_view>("\x01"));
   }
 
+  void aMemberAsItWasReceivedIsTheOneThatIsRead() {
+    const auto frame = Frame::read(R"({"op":"publish","\u006dsg":{"a":1},"msg":{"a":2}})", Frame::Wire::Text);
+    QCOMPARE(frame->root()["msg"]["a"].integer(), std::optional<std::int64_t>(1));
+    QCOMPARE(frame->rawMember("msg"), std::optional<std::string_view>(R"({"a":1})"));
+  }
+
   void textInChunksIsPassedOver() {
     const auto frame =
         cbor(QByteArray("\xa2\x61"

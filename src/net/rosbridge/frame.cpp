@@ -182,12 +182,18 @@ std::optional<std::string_view> Frame::rawMember(std::string_view name) const {
   simdjson::ondemand::parser parser;
   simdjson::ondemand::document document;
   simdjson::ondemand::object root, member;
-  std::string_view raw;
+  std::string_view found, raw;
   if (parser.allocate(padded.size(), std::size_t(kMaxDepth)) != simdjson::SUCCESS ||
-      parser.iterate(padded).get(document) || document.get_object().get(root) ||
-      root.find_field_unordered(name).get_object().get(member) || member.raw_json().get(raw))
+      parser.iterate(padded).get(document) || document.get_object().get(root))
     return std::nullopt;
-  return std::string_view(text_.constData() + (raw.data() - padded.data()), raw.size());
+  for (auto field : root) {
+    // Its name as it is meant, as Field reads it: it may be written with escapes.
+    if (field.unescaped_key().get(found)) return std::nullopt;
+    if (found != name) continue;
+    if (field.value().get_object().get(member) || member.raw_json().get(raw)) return std::nullopt;
+    return std::string_view(text_.constData() + (raw.data() - padded.data()), raw.size());
+  }
+  return std::nullopt;
 }
 
 void Frame::readBinary(const QByteArray& bytes) {
