@@ -216,6 +216,18 @@ class TestWaypointFile : public QObject {
             written->find("\"id\": 5") != std::string::npos);
   }
 
+  void ofTwoMembersOfOneNameTheOneThatIsReadIsChanged() {
+    const std::string json =
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"Point","coordinates":[0,0]},"geometry":{"type":"LineString","coordinates":[[5,5],[6,6]]},"properties":{"id":"x"}}]})";
+    const map::Waypoint before = parseWaypoints(json)->points.at(0);
+    map::Waypoint after = before;
+    after.position_m = {1, 2};
+    const auto written = patchWaypoints(json, {{before.id, before, after}});
+    const auto read = parseWaypoints(*written)->points;
+    QCOMPARE(read.size(), std::size_t(1));
+    QCOMPARE(read[0].position_m, after.position_m);
+  }
+
   void twoOfOneIdAreTwo() {
     const std::string one =
         R"({"type":"Feature","geometry":{"type":"Point","coordinates":[0,0]},"properties":{"id":"x"}})";

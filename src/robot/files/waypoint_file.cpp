@@ -312,13 +312,13 @@ class Object {
   std::vector<std::pair<std::string, std::string>> members_;
 };
 
+/// Of several the first one, as the parser reads it.
 std::string_view rawMember(std::string_view object, std::string_view name) {
   if (!object.starts_with('{')) return {};
-  std::string_view raw;
   for (const Member& member : Cutter(object).members()) {
-    if (member.name == name) raw = member.raw_value;
+    if (member.name == name) return member.raw_value;
   }
-  return raw;
+  return {};
 }
 
 std::string coordinates(const Eigen::Vector2d& at, std::string_view before) {
