@@ -26,6 +26,7 @@ constexpr int kVersion = 1;  // of the files
 
 /// A tenth of a millimetre: what robots compute anew differs by less.
 double rounded(double value) {
+  if (!(std::abs(value) < 1e11)) return value;  // a double has no such decimals there
   const double fine = std::round(value * 1e4) / 1e4;
   return fine == 0 ? 0 : fine;  // no -0
 }

@@ -78,6 +78,15 @@ compare::Comparison differingAt(const std::vector<compare::PixelBox>& boxes) {
 class SuiteFactsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void numbersBeyondAllMapsComeBackFromTheirFile() {
+    Facts far = facts();
+    far.robot = geometry::Pose2{1e308, -4e15 / 7, 0};
+    const auto again = suite::factsFrom(suite::factsBytes(far));
+    QVERIFY(again && again->robot);
+    QCOMPARE(again->robot->x_m, far.robot->x_m);
+    QCOMPARE(again->robot->y_m, far.robot->y_m);
+  }
+
   void factsComeBackFromTheirFile() {
     const QByteArray bytes = suite::factsBytes(facts());
     const auto back = suite::factsFrom(bytes);
