@@ -32,7 +32,9 @@ inline std::vector<std::uint8_t> exactly(Input bytes) {
   return copy;
 }
 inline std::string textOf(Input bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+/// Texts are never null, also where they are empty.
 inline std::string_view viewOf(const std::vector<std::uint8_t>& bytes) {
+  if (bytes.empty()) return "";
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
