@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QFileInfo>
+#include <QLocale>
 #include <QStandardPaths>
 
 #include "app/command_text.h"
@@ -21,6 +22,7 @@
 #include "app/display.h"
 #include "app/examples.h"
 #include "app/kept_overlays.h"
+#include "app/language.h"
 #include "app/log.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
@@ -32,8 +34,10 @@
 #include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/second_server.h"
+#include "sentences/language.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/view/replay_state.h"
+#include "ui/window/language_setting.h"
 #include "ui/window/made_of.h"
 #include "ui/window/main_window.h"
 #include "ui/window/watched_application.h"
@@ -68,8 +72,29 @@ int benchmarks(const std::vector<std::string>& arguments) {
   return refuse(kUsage, why);
 }
 
-int showWindow(const QString& address, const RobotAccess& known) {
+/// What --language says, if it was given.
+using LanguageGiven = std::optional<QString>;
+
+/// Numbers and dates go with the words, unless the system has them in this language anyway.
+void speakInWindow(const LanguageGiven& given, const QSettings& settings) {
+  const QString wanted = ui::languageIn(settings);
+  const QString code =
+      given.value_or(sentences::languageCalled(wanted).value_or(sentences::languageOfSystem()));
+  if (!addLettersOf(code)) {
+    sentences::speak(sentences::languages().front().code);
+    return say(
+        Text::tr("No font here has Chinese characters, so the window is in English. Install one, such as "
+                 "fonts-noto-cjk."));
+  }
+  sentences::speak(code);
+  const bool chosen = given || wanted != ui::kLanguageOfSystem;
+  const QLocale locale(code);
+  if (chosen && locale.language() != QLocale::system().language()) QLocale::setDefault(locale);
+}
+
+int showWindow(const QString& address, const RobotAccess& known, const LanguageGiven& language) {
   const std::unique_ptr<QSettings> settings = openSettings();
+  speakInWindow(language, *settings);
   const robot::Addresses addresses = knownAddresses();
   const ui::KeptWorkSettings kept = ui::workSettingsIn(*settings);
   for (const QString& sentence : kept.nonsense) say(sentence);
@@ -117,8 +142,10 @@ int showWindow(const QString& address, const RobotAccess& known) {
 }
 
 /// Opens the window; `address` empty = not connected. Returns the exit code.
-int openWindow(const QString& address, const AccessArguments& args, int& argc, char** argv) {
+int openWindow(const QString& address, const AccessArguments& args, const LanguageGiven& language, int& argc,
+               char** argv) {
   chooseWindowPlatform();
+  const InPlaceOfSpeaker own;
   ui::WatchedApplication application(argc, argv);
   const auto access = RobotAccess::read(args, address);
   if (!access) return refuse(kUsage, access.error());
@@ -126,16 +153,17 @@ int openWindow(const QString& address, const AccessArguments& args, int& argc, c
     return refuse(
         kUsage, Text::tr("There is no display to open the window on. mapwright snapshot works without one."));
   }
-  return showWindow(address, *access);
+  return showWindow(address, *access, language);
 }
 
 /// The window on the embedded simulator; without a display it writes mapwright-demo.png and prints its name.
-int openDemo(const QString& query, int& argc, char** argv) {
+int openDemo(const QString& query, const LanguageGiven& language, int& argc, char** argv) {
   const QString address = query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query;
   {
     chooseWindowPlatform();
+    const InPlaceOfSpeaker own;
     ui::WatchedApplication application(argc, argv);
-    if (haveDisplay()) return showWindow(address, {});
+    if (haveDisplay()) return showWindow(address, {}, language);
   }
   const QString picture = QStringLiteral("mapwright-demo.png");
   say(Text::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture));
@@ -146,7 +174,11 @@ int openDemo(const QString& query, int& argc, char** argv) {
 }
 
 int runCommand(int argc, char** argv) {
-  std::string robot, demo_query, operand;
+  const auto given = languageTyped(argc, argv);
+  if (!given) return refuse(kUsage, given.error());
+  const LanguageGiven language = *given;
+  if (language) startSpeaking(*language);
+  std::string robot, demo_query, operand, language_typed;
   LogArguments log;
   bool version = false, version_json = false;
   AccessArguments access;
@@ -154,6 +186,7 @@ int runCommand(int argc, char** argv) {
       help(Text::tr(
           "mapwright: view and edit the maps of mobile robots. Without a subcommand it opens the window.")),
       "mapwright");
+  cli.set_help_flag("-h,--help", help(Text::tr("Print this help message and exit")));
   CLI::Option* const version_flag =
       cli.add_flag("--version", version, help(Text::tr("Print the version and exit")));
   cli.add_flag(
@@ -180,6 +213,7 @@ int runCommand(int argc, char** argv) {
         addBags, addRecord, addClouds, addSlam, addTopics, addProbe})
     add(commands);
   addLog(cli, log);
+  addLanguage(cli, language_typed);
   CLI::App* bench = cli.add_subcommand("bench", help(Text::tr("Run the benchmarks")));
   bench->prefix_command();
   bench->footer(help(
@@ -189,6 +223,7 @@ int runCommand(int argc, char** argv) {
   addExamples(cli);
   nameTypes(cli);
   refuseOddWords(cli);
+  translateHeadings(cli);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -208,12 +243,12 @@ int runCommand(int argc, char** argv) {
   if (const auto started = startLog(log); !started) return refuse(kUsage, started.error());
   if (const auto code = commands.run({robot, access, argc, argv})) return *code;
   if (bench->parsed()) return benchmarks(bench->remaining());
-  if (demo->parsed()) return openDemo(QString::fromStdString(demo_query), argc, argv);
-  if (operand.empty()) return openWindow(QString::fromStdString(robot), access, argc, argv);
+  if (demo->parsed()) return openDemo(QString::fromStdString(demo_query), language, argc, argv);
+  if (operand.empty()) return openWindow(QString::fromStdString(robot), access, language, argc, argv);
   const QString file = QString::fromStdString(operand);
   if (!play->parsed() && !QFileInfo::exists(file) && file.contains(QLatin1Char(':')) &&
       knownAddresses().parse(file))
-    return openWindow(file, access, argc, argv);
+    return openWindow(file, access, language, argc, argv);
   if (!isFileName(file) && !play->parsed()) {  // a mistyped subcommand is not a file
     const auto nearest = nearestOf(operand, subcommandsOf(cli));
     const QString hint = nearest ? Text::tr("Did you mean %1?").arg(QString::fromStdString(*nearest))
@@ -226,7 +261,7 @@ int runCommand(int argc, char** argv) {
       !QFileInfo::exists(file.section(QLatin1Char('?'), 0, 0))) {
     return refuse(kUsage, Text::tr("%1: there is no such file.").arg(words::plainName(file)));
   }
-  return openWindow(file, access, argc, argv);
+  return openWindow(file, access, language, argc, argv);
 }
 
 }  // namespace

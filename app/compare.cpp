@@ -6,6 +6,7 @@
 
 #include "app/command_text.h"
 #include "app/commands.h"
+#include "app/language.h"
 #include "app/output.h"
 #include "compare/comparison.h"
 #include "compare/comparison_sentence.h"
@@ -53,6 +54,7 @@ std::optional<QString> notComparedReason(const CompareArguments& args) {
 }
 
 int comparePictureFiles(const CompareArguments& args, const Invocation& before) {
+  const InPlaceOfSpeaker own;
   const QCoreApplication application(before.argc, before.argv);
   if (const auto why = notComparedReason(args)) return refuse(kUsage, *why);
   const auto made = compare::comparePictures(args.expected, args.actual, args.allowed);

@@ -5,8 +5,10 @@
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
+#include <QFont>
 #include <QFontDatabase>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -102,6 +104,22 @@ void chooseWindowPlatform() {
 OffscreenApplication::OffscreenApplication(int& argc, char** argv)
     : PinnedFonts{chooseOffscreen()}, QApplication(argc, argv) {
   addLabelFont();
+}
+
+bool addLettersOf(const QString& language) {
+  if (QLocale(language).script() != QLocale::SimplifiedHanScript) return true;
+  const QStringList there = QFontDatabase::families(QFontDatabase::SimplifiedChinese);
+  if (there.isEmpty()) return false;
+  QString chosen = there.first();
+  for (const char* const family : {"Noto Sans CJK SC", "Noto Sans SC", "Source Han Sans SC",
+                                   "Source Han Sans CN", "WenQuanYi Micro Hei", "WenQuanYi Zen Hei"}) {
+    if (!there.contains(QLatin1String(family))) continue;
+    chosen = QLatin1String(family);
+    break;
+  }
+  for (const QString& family : {QApplication::font().family(), QStringLiteral("DejaVu Sans")})
+    QFont::insertSubstitution(family, chosen);
+  return true;
 }
 
 void addLabelFont() {

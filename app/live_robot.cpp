@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "app/command_text.h"
+#include "app/language.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "words/text.h"
@@ -36,6 +37,7 @@ int runLive(int& argc, char** argv, const std::function<CommandResult<int>()>& w
   // Before any thread starts.
   const sigset_t signals = stopSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  const InPlaceOfSpeaker own;
   const QCoreApplication application(argc, argv);
   const CommandResult<int> done = work();
   std::fflush(stdout);

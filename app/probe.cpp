@@ -12,6 +12,7 @@
 
 #include "app/command_text.h"
 #include "app/commands.h"
+#include "app/language.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "jobs/robot_search.h"
@@ -123,6 +124,7 @@ void addProbe(Commands& commands) {
   command->add_flag("--details", args->details, help(Text::tr("Say for each port why there is no robot")));
   addJson(*command, args->json);
   commands.add(command, [args](const Invocation& before) {
+    const InPlaceOfSpeaker own;
     const QCoreApplication application(before.argc, before.argv);
     const CommandResult<int> done = probe(*args);
     return done ? *done : refuse(done.error().exit_code, done.error().sentence);

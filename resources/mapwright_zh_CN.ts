@@ -9197,6 +9197,11 @@ Do you want to delete it anyway?</source>
         <source>today %1</source>
         <translation>今天 %1</translation>
     </message>
+    <message>
+        <source>d MMMM yyyy HH:mm</source>
+        <comment>as in QLocale::toString</comment>
+        <translation>yyyy年M月d日 HH:mm</translation>
+    </message>
 </context>
 <context>
     <name>WaypointConflict</name>
@@ -18213,10 +18218,6 @@ Theirs: %6</source>
         <translation>图层预设(&amp;P)</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>视图</translation>
-    </message>
-    <message>
         <source>&amp;Save the layers as a preset…</source>
         <translation>把图层保存为预设(&amp;S)…</translation>
     </message>
@@ -24553,6 +24554,11 @@ Licensed under the Apache License 2.0.</source>
     <message>
         <source>Language</source>
         <translation>语言 (Language)</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <comment>as in QLocale::toString</comment>
+        <translation>M月d日</translation>
     </message>
 </context>
 <context>

@@ -8,12 +8,14 @@
 #include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QStringList>
 #include <QToolBar>
 #include <QWidget>
 
 #include "robot/has_capability.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/language.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
@@ -38,8 +40,10 @@ void insert(std::vector<Actions::Positioned<Group, What>>& row, const GroupPosit
   row.insert(at, {position, std::move(what)});
 }
 
-/// "&Robot" is Robot, "R&&D" is R&D.
-QString withoutMnemonic(const QString& text) {
+/// "&Robot" is Robot, "R&&D" is R&D. In Chinese the key stands behind the word: "机器人(&R)" is 机器人.
+QString withoutMnemonic(QString text) {
+  static const QRegularExpression kBehind(QStringLiteral("\\(&[^&\\s]\\)"));
+  text.remove(kBehind);
   QString plain;
   for (qsizetype i = 0; i < text.size(); ++i) {
     if (text[i] == QLatin1Char('&') && ++i == text.size()) break;
@@ -71,8 +75,7 @@ QAction* Actions::add(const ActionSpec& spec) {
   if (spec.needs_session) need_session_.push_back(action);
   if (spec.needs_of_robot) need_of_robot_.emplace_back(action, *spec.needs_of_robot);
   const bool in_menu = spec.menu.rank != 0;
-  enter({in_menu ? withoutMnemonic(menuTitle(menuOf(spec.menu.group))) : QString(), action, spec.reach,
-         spec.menu, spec.name});
+  enter({in_menu ? menuName(menuOf(spec.menu.group)) : QString(), action, spec.reach, spec.menu, spec.name});
   if (in_menu) addToMenu(spec.menu, action);
   if (spec.bar.rank != 0) insert(on_bar_, spec.bar, BarItem{action, {}});
   if (spec.map_menu.rank != 0) {
@@ -82,7 +85,7 @@ QAction* Actions::add(const ActionSpec& spec) {
 }
 
 void Actions::list(const MenuPosition& where, QAction* action) {
-  enter({withoutMnemonic(menuTitle(menuOf(where.group))), action, Reach::Everywhere, where});
+  enter({menuName(menuOf(where.group)), action, Reach::Everywhere, where});
   addToMenu(where, action);
 }
 
@@ -184,12 +187,16 @@ QString menuTitle(Menu menu) {
   return QCoreApplication::translate("window", "&Help");
 }
 
+QString menuName(Menu menu) { return withoutMnemonic(menuTitle(menu)); }
+
 QString submenuTitle(MenuGroup group) {
   switch (group) {
     case MenuGroup::Colors:
       return QCoreApplication::translate("window", "Colours of submaps");
     case MenuGroup::Theme:
       return QCoreApplication::translate("window", "Theme");
+    case MenuGroup::Languages:
+      return QCoreApplication::translate("window", "Language");
     case MenuGroup::Layouts:
       return QCoreApplication::translate("window", "Layout");
     case MenuGroup::Panels:
@@ -201,21 +208,39 @@ QString submenuTitle(MenuGroup group) {
 
 constexpr Menu kMenus[] = {Menu::Robot, Menu::Edit, Menu::Map, Menu::View, Menu::Help};
 
-QString nameAlone(const Actions::Entry& entry) {
-  if (!entry.name.isEmpty()) return entry.name;
-  const QString text = plainActionText(*entry.action);
-  if (entry.position.rank == 0) {
-    // In a menu of its own, inside one of the bar's.
-    const bool of_bar = std::any_of(std::begin(kMenus), std::end(kMenus), [&](Menu menu) {
-      return entry.menu == withoutMnemonic(menuTitle(menu));
-    });
-    return of_bar || entry.menu.isEmpty() ? text : QStringLiteral("%1: %2").arg(entry.menu, text);
-  }
+namespace {
+
+/// `text` is that of its action, without mnemonic.
+QString nameAmong(const Actions::Entry& entry, const QString& text) {
   if (entry.position.group == MenuGroup::Panels)
     return QCoreApplication::translate("window", "Panel: %1").arg(text);
   return entry.position.group == MenuGroup::Layouts
              ? QStringLiteral("%1: %2").arg(submenuTitle(entry.position.group), text)
              : text;
+}
+
+}  // namespace
+
+QString nameAlone(const Actions::Entry& entry) {
+  if (!entry.name.isEmpty()) return entry.name;
+  const QString text = plainActionText(*entry.action);
+  if (entry.position.rank != 0) return nameAmong(entry, text);
+  // In a menu of its own, inside one of the bar's.
+  const bool of_bar = std::any_of(std::begin(kMenus), std::end(kMenus),
+                                  [&](Menu menu) { return entry.menu == menuName(menu); });
+  return of_bar || entry.menu.isEmpty() ? text : QStringLiteral("%1: %2").arg(entry.menu, text);
+}
+
+QStringList englishNames(const Actions::Entry& entry) {
+  const bool named = !entry.name.isEmpty();
+  const QStringList sources = sentences::sourcesOf(named ? entry.name : entry.action->text());
+  const sentences::InEnglish english;
+  QStringList names;
+  for (const QString& source : sources) {
+    const QString text = withoutMnemonic(source);
+    names << (named || entry.position.rank == 0 ? text : nameAmong(entry, text));
+  }
+  return names;
 }
 
 QString plainActionText(const QAction& action) { return withoutMnemonic(action.text()); }

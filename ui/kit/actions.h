@@ -58,6 +58,7 @@ enum class MenuGroup {
   Drawn,
   Colors,
   Theme,
+  Languages,
   Layouts,
   Panels,
   Window,
@@ -182,11 +183,16 @@ class Actions : public QObject {
 Menu menuOf(MenuGroup group);
 /// "&Robot".
 QString menuTitle(Menu menu);
+/// "Robot".
+QString menuName(Menu menu);
 /// For a group that forms a submenu; empty = it does not.
 QString submenuTitle(MenuGroup group);
 
 /// "Panel: Maps", "Fit the map": says what the action does without its menu around it.
 QString nameAlone(const Actions::Entry& entry);
+/// The same in English, as far as it is known: one for each text that it may stand for. Empty while English
+/// is spoken.
+QStringList englishNames(const Actions::Entry& entry);
 /// "Fit (F)": an action's text without mnemonics, dots and the like.
 QString plainActionText(const QAction& action);
 /// "F", "Ctrl+K", "+ or =".

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QDateTime>
 
 namespace mapwright::ui {
@@ -70,7 +71,8 @@ std::vector<PlotTick> timeTicks(double from_s, double until_s, int most, std::op
     const double at_s = n * step - local_s;
     const QDateTime at = dateTime(at_s);
     const bool day_begins = std::abs(std::remainder(n * step, kDay_s)) < step / 4;
-    const QString format = day_begins   ? QStringLiteral("d MMM")
+    const QString format = day_begins
+                               ? QCoreApplication::translate("window", "d MMM", "as in QLocale::toString")
                            : step >= 60 ? QStringLiteral("HH:mm")
                            : step >= 1  ? QStringLiteral("HH:mm:ss")
                                         : QStringLiteral("HH:mm:ss.zzz");

@@ -88,8 +88,9 @@ PresetMenu::PresetMenu(scene::MapScene& scene, QSettings& settings, Actions& act
   actions_.addToMenu({MenuGroup::Drawn, 40}, menu_->menuAction());
   for (std::size_t i = 0; i < built_in_.size(); ++i)
     built_in_actions_.push_back(offer(QLatin1String(kBuiltInIds[i]), built_in_[i]));
-  save_ = actions_.add(tr("View"), QStringLiteral("saveLayerPreset"), tr("&Save the layers as a preset…"), {},
-                       {}, Reach::Everywhere, tr("Save which layers are shown, and how they are drawn"));
+  save_ = actions_.add(menuName(Menu::View), QStringLiteral("saveLayerPreset"),
+                       tr("&Save the layers as a preset…"), {}, {}, Reach::Everywhere,
+                       tr("Save which layers are shown, and how they are drawn"));
   connect(save_, &QAction::triggered, this, &PresetMenu::askForName);
   connect(&scene_, &scene::MapScene::layersChanged, this, &PresetMenu::mark);
   changed();
@@ -105,8 +106,9 @@ std::vector<LayerPreset>::iterator PresetMenu::find(const QString& name) {
 }
 
 QAction* PresetMenu::offer(const QString& id, const LayerPreset& preset) {
-  QAction* const action = actions_.addToggle(tr("View"), id, tr("Layers: %1").arg(literally(preset.name)), {},
-                                             {}, Reach::Everywhere, tr("Show the layers of this preset"));
+  QAction* const action =
+      actions_.addToggle(menuName(Menu::View), id, tr("Layers: %1").arg(literally(preset.name)), {}, {},
+                         Reach::Everywhere, tr("Show the layers of this preset"));
   connect(action, &QAction::triggered, this, [this, preset] { choose(preset); });
   return action;
 }

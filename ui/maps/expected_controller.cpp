@@ -22,6 +22,7 @@
 #include "compare/picture_view.h"
 #include "render/tile_colors.h"
 #include "sentences/fault_sentence.h"
+#include "sentences/language.h"
 #include "session/session.h"
 #include "suite/facts.h"
 #include "suite/judgement.h"
@@ -213,6 +214,8 @@ void ExpectedController::look() {
   // Queued: the picture is deleted there.
   connect(now.picture.get(), &shot::Picture::finished, this, &ExpectedController::onPicture,
           Qt::QueuedConnection);
+  // As the expected one: commands draw in English, whatever the window speaks.
+  const sentences::InEnglish labels;
   now.picture->start();
 }
 
@@ -225,7 +228,11 @@ void ExpectedController::onPicture() {
   const auto folder = std::make_shared<QTemporaryDir>();
   if (!folder->isValid()) return report(tr("There is not enough room to draw the map again."));
   const QString actual = folder->filePath(QStringLiteral("actual.png"));
-  if (const auto fault = done->picture->write(actual)) return report(sentences::sentenceOf(*fault));
+  const auto fault = [&] {
+    const sentences::InEnglish labels;
+    return done->picture->write(actual);
+  }();
+  if (fault) return report(sentences::sentenceOf(*fault));
   QString lacks;
   const auto silent = silentOnline(done->session);
   if (!done->shot.complete())

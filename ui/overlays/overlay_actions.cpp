@@ -24,7 +24,7 @@ OverlayActions::OverlayActions(WindowContext& context, edit::OverlayEditing* edi
       snap_menu_(new QMenu(tr("Snap t&o"), &context.window)) {
   addSnapping();
   defaults_ =
-      context_.actions.add(menuTitle(Menu::Edit).remove(QLatin1Char('&')), QStringLiteral("overlayDefaults"),
+      context_.actions.add(menuName(Menu::Edit), QStringLiteral("overlayDefaults"),
                            tr("&Defaults of the map…"), QStringLiteral("settings"), {}, Reach::Everywhere,
                            tr("The sizes of racks and pallets that are usual on this map"));
   connect(defaults_, &QAction::triggered, this, &OverlayActions::askDefaults);
@@ -51,7 +51,7 @@ CollectionDialog* OverlayActions::defaultsDialog() const { return defaults_dialo
 
 void OverlayActions::addSnapping() {
   using overlays::SnapKinds;
-  const QString edit = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
+  const QString edit = menuName(Menu::Edit);
   snap_ = context_.actions.addToggle(
       edit, QStringLiteral("snapOverlays"), tr("&Snap overlays"), QStringLiteral("snap"),
       {QKeySequence(QStringLiteral("Shift+S"))}, Reach::OutsideText,

@@ -16,7 +16,7 @@ using overlays::Spread;
 
 OverlayArranging::OverlayArranging(WindowContext& context, edit::OverlayEditing* editing, QObject* parent)
     : QObject(parent), editing_(editing), menu_(new QMenu(tr("&Arrange"), &context.window)) {
-  const QString edit = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
+  const QString edit = menuName(Menu::Edit);
   const auto add = [&](const char* id, const QString& text, const QString& tip, std::size_t least,
                        std::function<Shifts(const std::vector<WorldRect>&)> how) {
     QAction* const action =

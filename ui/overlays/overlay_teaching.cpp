@@ -40,7 +40,7 @@ OverlayTeaching::OverlayTeaching(WindowContext& context, edit::OverlayEditing* e
       editing_(editing),
       tool_(tool),
       menu_(new QMenu(tr("From the &robot"), &context.window)) {
-  const QString edit = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
+  const QString edit = menuName(Menu::Edit);
   place_ =
       context_.actions.add(edit, QStringLiteral("overlayRobotPlace"), tr("Add the robot's &place"),
                            QStringLiteral("robot"), {QKeySequence(QStringLiteral("T"))}, Reach::OutsideText,
@@ -80,7 +80,7 @@ OverlayMarksDialog* OverlayTeaching::dialog() const { return dialog_; }
 void OverlayTeaching::addThing(const char* id, const QString& text, const QString& called, Sight what,
                                SightEdge edge, int type) {
   QAction* const action = context_.actions.add(
-      menuTitle(Menu::Edit).remove(QLatin1Char('&')), QLatin1String(id), text, {}, {}, Reach::Everywhere,
+      menuName(Menu::Edit), QLatin1String(id), text, {}, {}, Reach::Everywhere,
       tr("Add it as an overlay where the robot sees it, or move the selected one there"));
   things_.push_back({what, edge, type, action, called});
   const std::size_t index = things_.size() - 1;

@@ -27,7 +27,7 @@ const QString kGeoJsonType = QStringLiteral("application/geo+json");
 
 OverlayTransfer::OverlayTransfer(WindowContext& context, edit::OverlayEditing* editing, QObject* parent)
     : QObject(parent), context_(context), editing_(editing) {
-  const QString edit = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
+  const QString edit = menuName(Menu::Edit);
   const auto add = [&](const char* id, const QString& text, const char* icon, const QString& tip) {
     return context_.actions.add(edit, QLatin1String(id), text, QLatin1String(icon), {}, Reach::Everywhere,
                                 tip);

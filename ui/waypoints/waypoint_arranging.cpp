@@ -20,7 +20,7 @@ namespace {
 using Spots = std::vector<placing::Spot>;
 constexpr double kUpright = geometry::radiansFromDegrees(90);
 
-QString editMenu() { return menuTitle(Menu::Edit).remove(QLatin1Char('&')); }
+QString editMenu() { return menuName(Menu::Edit); }
 
 }  // namespace
 

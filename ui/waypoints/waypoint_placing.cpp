@@ -165,8 +165,8 @@ QAction* PlacingActions::entry(const char* id, const QString& text, const char* 
                                Reach reach, const QString& tip) {
   QList<QKeySequence> keys;
   if (*key) keys << QKeySequence(QLatin1String(key));
-  return context_.actions.add(menuTitle(Menu::Edit).remove(QLatin1Char('&')), QLatin1String(id), text,
-                              QLatin1String(icon), keys, reach, tip);
+  return context_.actions.add(menuName(Menu::Edit), QLatin1String(id), text, QLatin1String(icon), keys, reach,
+                              tip);
 }
 
 void PlacingActions::addCreating() {
@@ -176,10 +176,10 @@ void PlacingActions::addCreating() {
   at_numbers_ = entry("waypointAtNumbers", tr("At &coordinates…"), "goto", "Ctrl+Shift+N", Reach::Everywhere,
                       tr("A waypoint with a given name, position and heading"));
   connect(at_numbers_, &QAction::triggered, this, &PlacingActions::askForNumbers);
-  along_line_ = context_.actions.addToggle(
-      menuTitle(Menu::Edit).remove(QLatin1Char('&')), QStringLiteral("waypointLine"), tr("Along a &line"),
-      QStringLiteral("line"), {QKeySequence(QStringLiteral("L"))}, Reach::OutsideText,
-      tr("Evenly spaced waypoints along a line, heading along it"));
+  along_line_ = context_.actions.addToggle(menuName(Menu::Edit), QStringLiteral("waypointLine"),
+                                           tr("Along a &line"), QStringLiteral("line"),
+                                           {QKeySequence(QStringLiteral("L"))}, Reach::OutsideText,
+                                           tr("Evenly spaced waypoints along a line, heading along it"));
   context_.tools.add(line_, along_line_);
   for (QAction* action : {at_robot_, at_numbers_, along_line_}) creating_menu_->addAction(action);
 }
@@ -360,7 +360,7 @@ void WaypointPlacing::addSnapping() {
     QString text, tip;
     bool SnapRules::*rule;
   };
-  const QString menu = menuTitle(Menu::Edit).remove(QLatin1Char('&'));
+  const QString menu = menuName(Menu::Edit);
   for (const auto& [id, text, tip, rule] :
        {Rule{"snapWaypoints", tr("Other &waypoints"),
              tr("The positions of other waypoints, and lines through them"), &SnapRules::waypoints},

@@ -163,6 +163,11 @@ void CommandPalette::fill() {
     std::optional<int> score = fuzzyScore(typed, name);
     if (const auto with_menu = fuzzyScore(typed, entry.menu + QLatin1Char(' ') + name))
       score = std::max(score.value_or(*with_menu - kOfMenu), *with_menu - kOfMenu);
+    // Manuals and colleagues may say it in English.
+    for (const QString& english : englishNames(entry)) {
+      if (const auto in_english = fuzzyScore(typed, english))
+        score = std::max(score.value_or(*in_english), *in_english);
+    }
     // What was typed comes first also where it cannot be done now: Enter does nothing else then.
     const int demoted = typed.isEmpty() && !entry.action->isEnabled() ? 1000 : 0;
     if (score) hits.push_back({*score - demoted, &entry, 0});

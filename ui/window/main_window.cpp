@@ -67,6 +67,7 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/window/appearance_controller.h"
 #include "ui/window/help_controller.h"
+#include "ui/window/language_controller.h"
 #include "ui/window/layout_controller.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/view_controller.h"
@@ -225,6 +226,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
                                                 dependencies.has_secret});
   make(recording_);
   controllers_.push_back(new StatusController(context, this));
+  controllers_.push_back(new LanguageController(context, this));
   controllers_.push_back(new HelpController(context, this));
   for (Controller* controller : controllers_) context.unsaved.watch(controller);
   connect(current_, &CurrentSession::changed, this, &MainWindow::notifyControllers);

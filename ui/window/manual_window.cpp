@@ -20,6 +20,7 @@
 #include <QTextTable>
 #include <QToolButton>
 
+#include "sentences/language.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
@@ -31,28 +32,30 @@ namespace mapwright::ui {
 namespace {
 
 /// In reading order; docs/manual.qrc has the same ones, and the package installs them.
-constexpr const char* kPages[] = {"docs/getting-started.md",
-                                  "docs/window.md",
-                                  "docs/tasks/waypoints.md",
-                                  "docs/tasks/overlays.md",
-                                  "docs/tasks/pictures.md",
-                                  "docs/tasks/mapping.md",
-                                  "docs/tasks/poses.md",
-                                  "docs/tasks/replay.md",
-                                  "docs/tasks/compare.md",
-                                  "docs/tasks/new-map.md",
-                                  "docs/tasks/map-quality.md",
-                                  "docs/command-line.md",
-                                  "docs/json.md",
-                                  "docs/files.md",
-                                  "docs/troubleshooting.md",
-                                  "docs/simulator.md",
-                                  "docs/maps-in-ci.md",
+constexpr const char* kPages[] = {"docs/getting-started.md", "docs/getting-started.zh-CN.md",
+                                  "docs/window.md",          "docs/tasks/waypoints.md",
+                                  "docs/tasks/overlays.md",  "docs/tasks/pictures.md",
+                                  "docs/tasks/mapping.md",   "docs/tasks/poses.md",
+                                  "docs/tasks/replay.md",    "docs/tasks/compare.md",
+                                  "docs/tasks/new-map.md",   "docs/tasks/map-quality.md",
+                                  "docs/command-line.md",    "docs/json.md",
+                                  "docs/files.md",           "docs/troubleshooting.md",
+                                  "docs/simulator.md",       "docs/maps-in-ci.md",
                                   "docs/same-bytes.md"};
 constexpr int kPageRole = Qt::UserRole, kPositionRole = Qt::UserRole + 1;
 constexpr int kMostHits = 200, kMostMarks = 1000, kPicturePx = 720, kMarginPx = 16;
 
 QUrl urlOf(int page) { return QStringLiteral("qrc:/manual/") + QLatin1String(kPages[page]); }
+
+/// That of the language that is spoken, if there is one in it.
+int firstPage() {
+  const QString ending =
+      QStringLiteral(".%1.md").arg(sentences::spokenLanguage().replace(QLatin1Char('_'), QLatin1Char('-')));
+  const auto in_language = std::find_if(std::begin(kPages), std::end(kPages), [&](const char* page) {
+    return QLatin1String(page).endsWith(ending);
+  });
+  return in_language == std::end(kPages) ? 0 : int(in_language - std::begin(kPages));
+}
 
 QString manualText(int page) {
   QFile file(QLatin1Char(':') + urlOf(page).path());
@@ -190,7 +193,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     search_->setFocus(Qt::ShortcutFocusReason);
     search_->selectAll();
   });
-  page_->setSource(urlOf(0));
+  page_->setSource(urlOf(firstPage()));
   search_->setFocus();
 }
 
