@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view kLanguageOption = "--language";
 
-/// Qt takes its arguments as long as it lives.
+/// Qt takes its arguments as long as it lives. Never destroyed at the end of the program: Qt's own parts may
+/// be gone by then.
 struct Speaker {
   int argc = 1;
   char name[sizeof("mapwright")] = "mapwright";
@@ -26,8 +27,8 @@ struct Speaker {
   QCoreApplication application{argc, argv};
 };
 std::unique_ptr<Speaker>& speaker() {
-  static std::unique_ptr<Speaker> one;
-  return one;
+  static auto* const one = new std::unique_ptr<Speaker>;
+  return *one;
 }
 
 }  // namespace

@@ -159,17 +159,33 @@ int concludeStandardOutput(int exit_code) {
   return kUsage;
 }
 
+namespace {
+
+/// Columns of a terminal: Chinese, Japanese and Korean characters take two.
+qsizetype columnsOf(const QString& text) {
+  return text.size() + std::count_if(text.begin(), text.end(), [](QChar c) {
+           const char16_t code = c.unicode();
+           return (code >= 0x1100 && code < 0x1160) || (code >= 0x2e80 && code < 0xa4d0) ||
+                  (code >= 0xac00 && code < 0xd7a4) || (code >= 0xf900 && code < 0xfb00) ||
+                  (code >= 0xfe30 && code < 0xfe70) || (code >= 0xff00 && code < 0xff61);
+         });
+}
+
+}  // namespace
+
 void printTable(const std::vector<QStringList>& rows) {
   std::vector<qsizetype> widths;
   for (const QStringList& row : rows) {
     widths.resize(std::max(widths.size(), std::size_t(row.size())));
     for (qsizetype i = 0; i < row.size(); ++i)
-      widths[std::size_t(i)] = std::max(widths[std::size_t(i)], row[i].size());
+      widths[std::size_t(i)] = std::max(widths[std::size_t(i)], columnsOf(row[i]));
   }
   for (const QStringList& row : rows) {
     QString line;
     for (qsizetype i = 0; i < row.size(); ++i) {
-      line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
+      line += row[i];
+      if (i + 1 < row.size())
+        line += QString(widths[std::size_t(i)] + 2 - columnsOf(row[i]), QLatin1Char(' '));
     }
     printOut(words::plainLine(line).toStdString() + "\n");
   }

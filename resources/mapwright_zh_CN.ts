@@ -9199,7 +9199,6 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>d MMMM yyyy HH:mm</source>
-        <comment>as in QLocale::toString</comment>
         <translation>yyyy年M月d日 HH:mm</translation>
     </message>
 </context>
@@ -24557,7 +24556,6 @@ Licensed under the Apache License 2.0.</source>
     </message>
     <message>
         <source>d MMM</source>
-        <comment>as in QLocale::toString</comment>
         <translation>M月d日</translation>
     </message>
 </context>

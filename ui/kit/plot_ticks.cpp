@@ -71,8 +71,7 @@ std::vector<PlotTick> timeTicks(double from_s, double until_s, int most, std::op
     const double at_s = n * step - local_s;
     const QDateTime at = dateTime(at_s);
     const bool day_begins = std::abs(std::remainder(n * step, kDay_s)) < step / 4;
-    const QString format = day_begins
-                               ? QCoreApplication::translate("window", "d MMM", "as in QLocale::toString")
+    const QString format = day_begins   ? QCoreApplication::translate("window", "d MMM")
                            : step >= 60 ? QStringLiteral("HH:mm")
                            : step >= 1  ? QStringLiteral("HH:mm:ss")
                                         : QStringLiteral("HH:mm:ss.zzz");

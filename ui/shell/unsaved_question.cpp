@@ -44,7 +44,7 @@ QString draftTimeText(const QDateTime& made, const QDateTime& now) {
   const QLocale c = QLocale::c();
   return made.date() == now.date()
              ? UnsavedQuestionText::tr("today %1").arg(c.toString(made, QStringLiteral("HH:mm:ss")))
-             : c.toString(made, UnsavedQuestionText::tr("d MMMM yyyy HH:mm", "as in QLocale::toString"));
+             : c.toString(made, UnsavedQuestionText::tr("d MMMM yyyy HH:mm"));
 }
 
 }  // namespace mapwright::ui
