@@ -167,9 +167,10 @@ class ManualTest : public QObject {
     QStringList unknown;
     int lines = 0;
     for (const QString& page :
-         withTasks({"README.md", "CONTRIBUTING.md", "docs/command-line.md", "docs/files.md",
-                    "docs/getting-started.md", "docs/json.md", "docs/maps-in-ci.md", "docs/same-bytes.md",
-                    "docs/simulator.md", "docs/troubleshooting.md", "docs/window.md"})) {
+         withTasks({"README.md", "README.zh-CN.md", "CONTRIBUTING.md", "docs/command-line.md",
+                    "docs/files.md", "docs/getting-started.md", "docs/getting-started.zh-CN.md",
+                    "docs/json.md", "docs/maps-in-ci.md", "docs/same-bytes.md", "docs/simulator.md",
+                    "docs/troubleshooting.md", "docs/window.md"})) {
       const QString text = pageOf(page);
       QVERIFY2(!text.isEmpty(), qPrintable(page));
       for (const QString& line : commandLines(text) + matchesOf("`mapwright ([^`\n]+)`", text)) {

@@ -49,8 +49,9 @@ QUrl urlOf(int page) { return QStringLiteral("qrc:/manual/") + QLatin1String(kPa
 
 /// That of the language that is spoken, if there is one in it.
 int firstPage() {
-  const QString ending =
-      QStringLiteral(".%1.md").arg(sentences::spokenLanguage().replace(QLatin1Char('_'), QLatin1Char('-')));
+  const QString ending = QLatin1Char('.') +
+                         sentences::spokenLanguage().replace(QLatin1Char('_'), QLatin1Char('-')) +
+                         QLatin1String(".md");
   const auto in_language = std::find_if(std::begin(kPages), std::end(kPages), [&](const char* page) {
     return QLatin1String(page).endsWith(ending);
   });
