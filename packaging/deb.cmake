@@ -51,14 +51,14 @@ endforeach()
 file(WRITE ${root}/DEBIAN/md5sums "${sums}")
 # Qt's plugins for X11, offscreen, SVG and TLS come with its libraries. Beside them: authorities for
 # encrypted links, letters in the window, windows under Wayland, a key ring for secrets, names in Chinese, Japanese and
-# Korean and emoji; films of bags.
+# Korean and emoji; what Qt itself says in Chinese; films of bags.
 file(WRITE ${root}/DEBIAN/control "Package: mapwright
 Version: ${version}
 Architecture: ${architecture}
 Maintainer: ${maintainer}
 Installed-Size: ${kib}
 Depends: ${libraries}
-Recommends: ca-certificates, fonts-dejavu-core, qt6-wayland, gnome-keyring | kwalletmanager, fonts-noto-cjk, fonts-noto-color-emoji
+Recommends: ca-certificates, fonts-dejavu-core, qt6-wayland, gnome-keyring | kwalletmanager, fonts-noto-cjk, fonts-noto-color-emoji, qt6-translations-l10n
 Suggests: ffmpeg
 Section: science
 Priority: optional
