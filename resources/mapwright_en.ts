@@ -531,6 +531,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::edit::PictureEditing</name>
+    <message numerus="yes">
+        <source>%1 cells</source>
+        <translation>
+            <numerusform>%1 cell</numerusform>
+            <numerusform>%1 cells</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::ui::ClosuresController</name>
     <message numerus="yes">
         <source>%1 loop closures.</source>
@@ -802,16 +812,6 @@
     </message>
 </context>
 <context>
-    <name>mapwright::edit::PictureEditing</name>
-    <message numerus="yes">
-        <source>%1 cells</source>
-        <translation>
-            <numerusform>%1 cell</numerusform>
-            <numerusform>%1 cells</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>mapwright::ui::PlacesModel</name>
     <message numerus="yes">
         <source>and %1 others</source>
@@ -1071,6 +1071,16 @@
     </message>
 </context>
 <context>
+    <name>submap</name>
+    <message numerus="yes">
+        <source>%1 submaps are listed without a valid version. They are asked for from time to time.</source>
+        <translation>
+            <numerusform>%1 submap is listed without a valid version. It is asked for from time to time.</numerusform>
+            <numerusform>%1 submaps are listed without a valid version. They are asked for from time to time.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>window</name>
     <message numerus="yes">
         <source>%1 problems</source>
@@ -1108,16 +1118,6 @@
         <translation>
             <numerusform>%1 point without a position was left out.</numerusform>
             <numerusform>%1 points without a position were left out.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>submap</name>
-    <message numerus="yes">
-        <source>%1 submaps are listed without a valid version. They are asked for from time to time.</source>
-        <translation>
-            <numerusform>%1 submap is listed without a valid version. It is asked for from time to time.</numerusform>
-            <numerusform>%1 submaps are listed without a valid version. They are asked for from time to time.</numerusform>
         </translation>
     </message>
 </context>

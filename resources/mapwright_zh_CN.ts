@@ -155,6 +155,18 @@
         <source>How maps and waypoints are changed on this robot is not confirmed by its maker: try it where nothing can go wrong.</source>
         <translation>修改该机器人的地图和路径点的方法未经厂商确认：请在不会出事的环境中尝试。</translation>
     </message>
+    <message>
+        <source>service /map_manager/update_map_image</source>
+        <translation>服务 /map_manager/update_map_image</translation>
+    </message>
+    <message>
+        <source>KABAM map manager (/map_manager)</source>
+        <translation>KABAM 地图管理器 (/map_manager)</translation>
+    </message>
+    <message>
+        <source>map dispatcher (REP 130: get_sub_map, get_point_map …)</source>
+        <translation>地图分发器 (REP 130: get_sub_map、get_point_map…)</translation>
+    </message>
 </context>
 <context>
     <name>Address</name>
@@ -1225,20 +1237,12 @@
         <translation>新地图，写法相同</translation>
     </message>
     <message>
-        <source>X,Y,YAW in metres and degrees, from the old map to the new one; without it the maps are aligned as by maps align</source>
-        <translation>从旧地图到新地图的 X,Y,YAW，单位为米和度；不给出时，像 maps align 那样对齐地图</translation>
-    </message>
-    <message>
         <source>X,Y:X,Y: a point of the old map and the same point of the new one</source>
         <translation>X,Y:X,Y：旧地图上的一个点和新地图上的同一个点</translation>
     </message>
     <message>
         <source>Move each a little further, to where the walls around it are now</source>
         <translation>将每一项再略微移动，使其与现在周围的墙相符</translation>
-    </message>
-    <message>
-        <source>Radius of the robot in metres (default: as it reports, else 0.3)</source>
-        <translation>机器人半径，单位为米（默认：取机器人上报的值，否则为 0.3）</translation>
     </message>
     <message>
         <source>Write the waypoints, for waypoints import; - is the standard output</source>
@@ -1259,10 +1263,6 @@
     <message>
         <source>Only say what would become of each</source>
         <translation>只说明各项会有什么结果</translation>
-    </message>
-    <message>
-        <source>Metres per cell of a plain picture file (default: 0.05)</source>
-        <translation>纯图像文件的每栅格米数（默认：0.05）</translation>
     </message>
     <message>
         <source>Lower left corner of a plain picture file: X,Y or X,Y,YAW</source>
@@ -2307,14 +2307,6 @@
     <message>
         <source>The old map that they were driven on; it is aligned with the new one. Without it they lie on the new map as they are</source>
         <translation>行驶时所用的旧地图；会与新地图对齐。不给出时，路径按原样放在新地图上</translation>
-    </message>
-    <message>
-        <source>X,Y,YAW in metres and degrees, from the old map to the new one, instead of aligning</source>
-        <translation>从旧地图到新地图的 X,Y,YAW，单位为米和度，代替自动对齐</translation>
-    </message>
-    <message>
-        <source>Radius of the robot in metres (default: as it reports, else 0.3); 0: only what the way itself meets counts</source>
-        <translation>机器人半径，单位为米（默认：取机器人上报的值，否则为 0.3）；0：只计路径本身碰到的内容</translation>
     </message>
     <message>
         <source>Write the ways, cut where they meet something, as GeoJSON; - is the standard output</source>
@@ -4441,6 +4433,66 @@
     <message>
         <source>No font here has Chinese characters, so the window is in English. Install one, such as fonts-noto-cjk.</source>
         <translation>这里没有含中文字符的字体，因此窗口使用英语。请安装一种，例如 fonts-noto-cjk。</translation>
+    </message>
+    <message>
+        <source>Submaps have no waypoints and no overlays of their own. Pass the map that they were placed on as --from.</source>
+        <translation>子图没有自己的路径点和覆盖物。请用 --from 指定放置它们时所用的地图。</translation>
+    </message>
+    <message>
+        <source>Boxes (bbox) left out because they did not fit their overlay: %1.</source>
+        <translation>以下边界框 (bbox) 与其覆盖物不符，已略去：%1。</translation>
+    </message>
+    <message>
+        <source>The box (bbox) of the new map&apos;s overlays did not fit them, and stays as it is.</source>
+        <translation>新地图覆盖物的边界框 (bbox) 与它们不符，保持原样。</translation>
+    </message>
+    <message>
+        <source>Print the version and exit</source>
+        <translation>显示版本并退出</translation>
+    </message>
+    <message>
+        <source>Print version, commit and libraries with their licences as JSON (with --version)</source>
+        <translation>以 JSON 显示版本、提交号，以及各库及其许可证（与 --version 一起使用）</translation>
+    </message>
+    <message>
+        <source>Log to this file instead, and everything where there is no --log; at 2 MB it becomes FILE.1, and so on to FILE.4</source>
+        <translation>改为把日志写入此文件；没有 --log 时记录全部内容；达到 2 MB 时改名为 FILE.1，依此类推到 FILE.4</translation>
+    </message>
+    <message>
+        <source>There is no log in %1: %2</source>
+        <translation>%1 中没有日志：%2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>it is no file.</source>
+        <translation>它不是文件。</translation>
+    </message>
+    <message>
+        <source>another mapwright is writing there.</source>
+        <translation>另一个 mapwright 正在写入。</translation>
+    </message>
+    <message>
+        <source>the file is something else.</source>
+        <translation>该文件是别的内容。</translation>
+    </message>
+    <message>
+        <source>%1 beside it is something else.</source>
+        <translation>旁边的 %1 是别的内容。</translation>
+    </message>
+    <message>
+        <source>The log in %1 lacks lines: %2.</source>
+        <translation>%1 中的日志缺少一些行：%2。</translation>
+    </message>
+    <message>
+        <source>X,Y,YAW in metres and degrees, from the old map to the new one, instead of aligning them as maps align does</source>
+        <translation>X,Y,YAW，单位为米和度，从旧地图到新地图；不再像 maps align 那样自动对齐</translation>
+    </message>
+    <message>
+        <source>Radius of the robot in metres (default: as it reports, else 0.3); 0: as if it had no size</source>
+        <translation>机器人半径，单位米（默认：取机器人报告的值，否则为 0.3）；0：视为没有大小</translation>
     </message>
 </context>
 <context>
@@ -7911,6 +7963,10 @@ Do you want to delete it anyway?</source>
         <source>Positions left out because they are no numbers: %1.</source>
         <translation>因不是数字而略去的位置：%1。</translation>
     </message>
+    <message>
+        <source>Driven on another map, not rehearsed: %1 m.</source>
+        <translation>在另一张地图上行驶，未预演：%1 m。</translation>
+    </message>
 </context>
 <context>
     <name>SeenObjects</name>
@@ -8829,6 +8885,10 @@ Do you want to delete it anyway?</source>
     <message>
         <source>Bag %1</source>
         <translation>数据包 %1</translation>
+    </message>
+    <message>
+        <source>map dispatcher (REP 130)</source>
+        <translation>地图分发器 (REP 130)</translation>
     </message>
 </context>
 <context>
@@ -10175,6 +10235,10 @@ Do you want to delete it anyway?</source>
         <source>the robot already has this map: %2 (id %1)</source>
         <translation>机器人已有该地图：%2 (id %1)</translation>
     </message>
+    <message>
+        <source>and %1 bytes more</source>
+        <translation>还有 %1 字节</translation>
+    </message>
 </context>
 <context>
     <name>cells</name>
@@ -11248,8 +11312,8 @@ Do you want to delete it anyway?</source>
         <translation>N 和 P：下一个、上一个未决定的。A：迁移。X：略过。Enter：在地图上显示。</translation>
     </message>
     <message>
-        <source>on the new map already</source>
-        <translation>已在新地图上</translation>
+        <source>in an obstacle</source>
+        <translation>在障碍物中</translation>
     </message>
 </context>
 <context>
@@ -11261,10 +11325,6 @@ Do you want to delete it anyway?</source>
     <message>
         <source>carried over</source>
         <translation>已迁移</translation>
-    </message>
-    <message>
-        <source>on the new map already</source>
-        <translation>已在新地图上</translation>
     </message>
     <message>
         <source>%1 sound</source>
@@ -11307,8 +11367,12 @@ Do you want to delete it anyway?</source>
         <translation>结果</translation>
     </message>
     <message>
-        <source>Walls off (m)</source>
-        <translation>墙偏差 (m)</translation>
+        <source>there already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>Off (m)</source>
+        <translation>偏差 (m)</translation>
     </message>
 </context>
 <context>
@@ -12722,10 +12786,6 @@ Expected at %2</source>
 <context>
     <name>mapwright::ui::DiagnosticsDialog</name>
     <message>
-        <source>&amp;Copy</source>
-        <translation>复制(&amp;C)</translation>
-    </message>
-    <message>
         <source>Diagnostics</source>
         <translation>诊断</translation>
     </message>
@@ -12756,6 +12816,10 @@ Expected at %2</source>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>&amp;Copy diagnostics</source>
+        <translation>复制诊断信息(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -13753,6 +13817,22 @@ Expected at %2</source>
     <message>
         <source>Diagnostics copied</source>
         <translation>诊断已复制</translation>
+    </message>
+    <message>
+        <source>&amp;Copy diagnostics</source>
+        <translation>复制诊断信息(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Versions, system, numbers and problems as a text, for people who help.</source>
+        <translation>版本、系统、数字和问题，以文本形式提供给协助的人。</translation>
+    </message>
+    <message>
+        <source>Open: %1, %2</source>
+        <translation>已打开：%1，%2</translation>
+    </message>
+    <message>
+        <source>Model: %1, version %2</source>
+        <translation>型号：%1，版本 %2</translation>
     </message>
 </context>
 <context>
@@ -15843,6 +15923,14 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     <message>
         <source>%1 carried over. Nothing has been sent or saved yet.</source>
         <translation>已迁移 %1。尚未下发或保存任何内容。</translation>
+    </message>
+    <message>
+        <source>Boxes (bbox) left out because they did not fit their overlay: %1.</source>
+        <translation>以下边界框 (bbox) 与其覆盖物不符，已略去：%1。</translation>
+    </message>
+    <message>
+        <source>The box (bbox) of all overlays did not fit them before, and stays as it is.</source>
+        <translation>全部覆盖物的边界框 (bbox) 原先就与它们不符，保持原样。</translation>
     </message>
 </context>
 <context>
@@ -19128,6 +19216,14 @@ Theirs: %6</source>
         <source>Copy the error</source>
         <translation>复制错误</translation>
     </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>预演</translation>
+    </message>
+    <message>
+        <source>Find out what its way crosses on the map on screen</source>
+        <translation>查看其路径在屏幕上的地图中穿过什么</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::RectangleTool</name>
@@ -19656,10 +19752,6 @@ Theirs: %6</source>
         <translation>找出录制的路径在屏幕上的地图中穿过什么</translation>
     </message>
     <message>
-        <source>Another map is on screen now. Press Again.</source>
-        <translation>屏幕上已是另一张地图。请按“重新”。</translation>
-    </message>
-    <message>
         <source>Choose a recorded way</source>
         <translation>选择录制的路径</translation>
     </message>
@@ -19711,16 +19803,40 @@ Theirs: %6</source>
         <source>The reference map was moved, or is another one now. Press Again.</source>
         <translation>参考地图被移动过，或已换成另一张。请按“重新”。</translation>
     </message>
+    <message>
+        <source>Cancelled. Press Again.</source>
+        <translation>已取消。请按“重新”。</translation>
+    </message>
+    <message>
+        <source>The map on screen has changed, or is another one now. Press Again.</source>
+        <translation>屏幕上的地图已更改，或已换成另一张。请按“重新”。</translation>
+    </message>
+    <message>
+        <source>The robot does not offer its recordings any more.</source>
+        <translation>机器人不再提供它的录制文件。</translation>
+    </message>
+    <message>
+        <source>Reading %1: %2 %</source>
+        <translation>正在读取 %1：%2 %</translation>
+    </message>
+    <message>
+        <source>Looking at what %1 crosses…</source>
+        <translation>正在查看 %1 穿过什么…</translation>
+    </message>
+    <message>
+        <source>The map on screen has changed since then. As it was: %1</source>
+        <translation>屏幕上的地图此后已更改。当时的结果：%1</translation>
+    </message>
+    <message>
+        <source>Connect to a robot to see its recordings.</source>
+        <translation>连接机器人后才能看到它的录制文件。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::RehearsalDock</name>
     <message>
         <source>Rehearse</source>
         <translation>预演</translation>
-    </message>
-    <message>
-        <source>Choose a way…</source>
-        <translation>选择路径…</translation>
     </message>
     <message>
         <source>A recording, or a track that was exported</source>
@@ -19757,6 +19873,38 @@ Theirs: %6</source>
     <message>
         <source>What the way crosses</source>
         <translation>路径穿过的内容</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>On the robot…</source>
+        <translation>机器人上的…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop reading the way</source>
+        <translation>停止读取该路径</translation>
+    </message>
+    <message>
+        <source>Radius of the robot</source>
+        <translation>机器人半径</translation>
+    </message>
+    <message>
+        <source>Radius of the robot: 0 is that of its own footprint</source>
+        <translation>机器人半径：0 表示按其自身外形</translation>
+    </message>
+    <message>
+        <source>Lists the robot&apos;s recordings: choose one, then Rehearse</source>
+        <translation>列出机器人的录制文件：选择一个，然后点“预演”</translation>
+    </message>
+    <message>
+        <source>Robot: %1 m</source>
+        <translation>机器人：%1 m</translation>
     </message>
 </context>
 <context>
@@ -24557,6 +24705,68 @@ Licensed under the Apache License 2.0.</source>
     <message>
         <source>d MMM</source>
         <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>The window was busy for</source>
+        <translation>窗口忙碌时长</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>less than %1 ms</source>
+        <translation>小于 %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms and longer</source>
+        <translation>%1 ms 及以上</translation>
+    </message>
+    <message>
+        <source>Longest, ms (%1)</source>
+        <translation>最长，ms (%1)</translation>
+    </message>
+    <message>
+        <source>Commit %1</source>
+        <translation>提交 %1</translation>
+    </message>
+    <message>
+        <source>Qt %1, compiled against %2</source>
+        <translation>Qt %1，编译时为 %2</translation>
+    </message>
+    <message>
+        <source>Commit %1
+Qt %2, compiled against %3</source>
+        <translation>提交 %1
+Qt %2，编译时为 %3</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Version, commit and libraries as a text</source>
+        <translation>版本、提交号和各库，以文本形式</translation>
+    </message>
+    <message>
+        <source>Processors: %1</source>
+        <translation>处理器：%1</translation>
+    </message>
+    <message>
+        <source>Display: %1</source>
+        <translation>显示：%1</translation>
+    </message>
+    <message>
+        <source>Screen: %1 × %2, scale %3, %4 Hz</source>
+        <translation>屏幕：%1 × %2，缩放 %3，%4 Hz</translation>
+    </message>
+    <message>
+        <source>Problems (the last %1 of %2)</source>
+        <translation>问题（最近 %1 个，共 %2 个）</translation>
+    </message>
+    <message>
+        <source>Left out: addresses and names of robots (robot-1, robot-2 …), secrets, home folders, the names of user and computer. Names of maps and topics are in it.</source>
+        <translation>已略去：机器人的地址和名称 (robot-1、robot-2…)、密钥、主文件夹、用户名和计算机名。地图和话题的名称仍在其中。</translation>
     </message>
 </context>
 <context>
