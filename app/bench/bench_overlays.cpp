@@ -13,6 +13,7 @@
 
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_paste.h"
+#include "render/tile_renderer.h"
 #include "ui/overlays/overlay_tool.h"
 #include "ui/overlays/overlays_dock.h"
 #include "ui/overlays/overlays_on_map.h"

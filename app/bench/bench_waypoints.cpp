@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <benchmark/benchmark.h>
 
+#include "render/tile_renderer.h"
 #include "robot/ros/kabam_plan.h"
 #include "ui/scene/map_scene.h"
 #include "ui/view/hit_list.h"

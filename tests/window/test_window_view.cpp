@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "render/tile_renderer.h"
 #include "test_program.h"
 #include "ui/view/map_view.h"
 #include "ui/view/measure_tool.h"
