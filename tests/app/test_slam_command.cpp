@@ -244,12 +244,12 @@ class SlamCommandTest : public QObject {
     const QString file = program_.path("drive.mcap");
     const Outcome recorded =
         program_.run({QStringLiteral("record"), QStringLiteral("--robot"), QStringLiteral("demo:"),
-                      QStringLiteral("--duration"), QStringLiteral("3"), QStringLiteral("--topics"),
+                      QStringLiteral("--duration"), QStringLiteral("5"), QStringLiteral("--topics"),
                       QStringLiteral("/constraint_list"), QStringLiteral("-o"), file});
     QVERIFY2(recorded.code == 0, qPrintable(recorded.out + recorded.err));
     const Outcome there =
         program_.run({QStringLiteral("slam"), QStringLiteral("closures"), QStringLiteral("--bag"), file,
-                      QStringLiteral("--at"), QStringLiteral("+2"), QStringLiteral("--json")});
+                      QStringLiteral("--at"), QStringLiteral("-0.1"), QStringLiteral("--json")});
     QVERIFY2(there.code == 0, qPrintable(there.out + there.err));
     QVERIFY(there.object()[QLatin1String("inter")].toInt() > 0);
     for (const char* const what : {"closures", "disagreement", "coverage"}) {

@@ -165,7 +165,7 @@ class TestWindowParts : public QObject {
             "screenshotCopy screenshotSave"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture "
-                            "layerPresetsMenu - * * * * - filter findObject focusMap nextPane previousPane "
+                            "layerPresetsMenu - * * * * * - filter findObject focusMap nextPane previousPane "
                             "fullScreen resetLayout"));
     QCOMPARE(menuCalled(*menuCalled(bar, "&View"), "Panels")->actions().size(),
              bench.window->findChildren<QDockWidget*>().size());
