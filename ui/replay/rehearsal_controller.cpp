@@ -37,7 +37,6 @@ namespace {
 
 constexpr double kAroundPlace_m = 3;
 constexpr std::size_t kMostTrackBytes = 256 << 20;
-const QString kRadiusKey = QStringLiteral("rehearsal/radius");
 
 }  // namespace
 
@@ -332,19 +331,12 @@ void RehearsalController::syncRobot() {
 void RehearsalController::setSession(session::Session* session) {
   path_.clear();
   bag_.reset();
+  dock_->setRadius(0);  // it was that of the robot before
   forget({});
   if (!session) return;
   connect(session, &session::Session::liveChanged, this, [this](int what) {
     if (what == map::topicIndex<map::RobotModel>()) syncRobot();
   });
-}
-
-void RehearsalController::recall(const QSettings& settings) {
-  dock_->setRadius(settings.value(kRadiusKey, 0.0).toDouble());
-}
-
-void RehearsalController::remember(QSettings& settings) {
-  settings.setValue(kRadiusKey, dock_->radius().value_or(0));
 }
 
 }  // namespace mapwright::ui

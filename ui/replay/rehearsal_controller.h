@@ -47,8 +47,6 @@ class RehearsalController : public Controller {
   /// The reference map; nullopt = none, or it is still being read.
   void setLaid(const std::optional<LaidMap>& laid);
   void setSession(session::Session* session) override;
-  void recall(const QSettings& settings) override;
-  void remember(QSettings& settings) override;
   /// As drawn.
   const std::vector<carry::Stretch>& shown() const;
 

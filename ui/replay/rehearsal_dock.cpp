@@ -21,6 +21,8 @@
 namespace mapwright::ui {
 namespace {
 
+constexpr int kLeastColumnPx = 40;
+
 QIcon sampleOf(carry::Crossing what, const scene::MapTheme& theme) {
   constexpr int kEdge = 16, kSharp = 2;
   QPixmap sample(kEdge * kSharp, kEdge * kSharp);
@@ -72,18 +74,17 @@ RehearsalDock::RehearsalDock(QWidget* parent)
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  for (const int column : {1, 2})
-    header->resizeSection(column,
-                          fontMetrics().horizontalAdvance(model_->horizontalHeaderItem(column)->text()) + 28);
-  new NameColumn(table_, header, 0, {{2}, {1}});
+  new NameColumn(table_, header, 0, {{2, kLeastColumnPx}, {1, kLeastColumnPx}});
   table_->installEventFilter(this);
   auto* const buttons = new WrappingRow(QMargins(), 8);
   for (QPushButton* const button : {choose_, recordings_, again_, cancel_, remove_}) buttons->add(button);
-  buttons->add(radius_);
+  auto* const radius = new QWidget(this);
+  radius->setLayout(rowOf({new QLabel(tr("Radius"), radius), radius_}, 6, QMargins()));
+  buttons->add(radius);
   radius_->setToolTip(tr("Radius of the robot: 0 is that of its own footprint"));
   setToldRadius(placing::kUsualRadiusM);
   auto* const body = new QWidget(this);
-  body->setLayout(columnOf({said_, buttons, {table_, 1}}, 6, QMargins(8, 6, 8, 6)));
+  body->setLayout(columnOf({buttons, said_, {table_, 1}}, 6, QMargins(8, 6, 8, 6)));
   setWidget(body);
   connect(choose_, &QPushButton::clicked, this, &RehearsalDock::chooseWanted);
   connect(recordings_, &QPushButton::clicked, this, &RehearsalDock::recordingsWanted);
@@ -108,7 +109,11 @@ void RehearsalDock::setChosen(bool chosen) {
   remove_->setEnabled(chosen);
 }
 
-void RehearsalDock::setBusy(bool busy) { cancel_->setVisible(busy); }
+void RehearsalDock::setBusy(bool busy) {
+  cancel_->setVisible(busy);  // in the place of Again
+  again_->setVisible(!busy);
+  remove_->setDisabled(busy || !again_->isEnabled());
+}
 
 void RehearsalDock::setWhyNoRecordings(const QString& why) {
   recordings_->setEnabled(why.isEmpty());
