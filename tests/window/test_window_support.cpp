@@ -58,6 +58,10 @@ class WindowSupportTest : public QObject {
     row("anna on annas-pc", "user on computer");
     row("\"token\": \"abc\", password=hunter2 Authorization: Bearer abc.def",
         "\"token\": ***, password=*** Authorization: ***");
+    row("Rosie-maps/c.yaml", "robot-1-maps/c.yaml");
+    row("axbot+http://192.0.2.7:8090，已连接", "axbot+http://robot-1，已连接");
+    row("password=hunter2，然后", "password=***，然后");
+    row("机器人Rosie已连接", "机器人robot-1已连接");
     // What looks like it and is none.
     row("12:31:07.412 Qt 6.4.2, 1.2.3", "12:31:07.412 Qt 6.4.2, 1.2.3");
     row("2026-11-30T02:48:49Z, ns::name, savannah, 0:12", "2026-11-30T02:48:49Z, ns::name, savannah, 0:12");

@@ -5,6 +5,7 @@
 
 #include "robot/address.h"
 #include "robot/robot.h"
+#include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/status_text.h"
@@ -101,10 +102,17 @@ void HelpController::copyDiagnostics() {
   if (session) {
     const robot::Robot& robot = session->robot();
     const robot::RobotIdentity identity = robot.identity();
-    privacy.robots << namesOf(robot.address(), {identity.name, identity.serial});
-    support.robot << tr("Open: %1, %2").arg(robot.address(), connectionWord(session->connection().phase));
-    if (!identity.model.isEmpty() || !identity.version.isEmpty())
+    const robot::ConnectionState connection = session->connection();
+    // A file is called by its own name, which is no robot's.
+    const auto parsed = context_.addresses.parse(robot.address());
+    if (!parsed || !parsed->url.host().isEmpty())
+      privacy.robots << namesOf(robot.address(), {identity.name, identity.serial});
+    support.robot << tr("Open: %1, %2").arg(robot.address(), connectionWord(connection.phase));
+    if (connection.reason.any()) support.robot << sentences::wordsOf(connection.reason);
+    if (!identity.model.isEmpty() && !identity.version.isEmpty())
       support.robot << tr("Model: %1, version %2").arg(identity.model, identity.version);
+    else if (!identity.model.isEmpty())
+      support.robot << tr("Model: %1").arg(identity.model);
     support.problems =
         session->problems().toText(QDateTime::currentDateTime()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   }

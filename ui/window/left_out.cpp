@@ -10,8 +10,8 @@
 namespace mapwright::ui {
 namespace {
 
-/// Shorter names would be found everywhere.
-constexpr qsizetype kShortestName = 3;
+/// Shorter names would be found everywhere; two Chinese characters are a word.
+constexpr qsizetype kShortestName = 3, kShortestChineseName = 2;
 
 /// Numbers robots as they are met.
 class RobotNumbers {
@@ -58,11 +58,14 @@ QString replaced(const QString& text, const QRegularExpression& what, const Inst
   return result + text.mid(from);
 }
 
-/// As a word of its own, in any case.
+/// As a word of its own, in any case; Chinese has no blanks between words.
 QString withoutName(const QString& text, const QString& name, const QString& instead) {
-  if (name.size() < kShortestName) return text;
+  const bool chinese =
+      std::any_of(name.begin(), name.end(), [](QChar one) { return one.script() == QChar::Script_Han; });
+  if (name.size() < (chinese ? kShortestChineseName : kShortestName)) return text;
+  const QString written = QRegularExpression::escape(name);
   const QRegularExpression word(
-      QStringLiteral("(?<![\\w-])%1(?![\\w-])").arg(QRegularExpression::escape(name)),
+      chinese ? written : QStringLiteral("(?<![\\p{Latin}\\p{N}_])%1(?![\\p{Latin}\\p{N}_])").arg(written),
       QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
   return replaced(text, word, [&](const QRegularExpressionMatch&) { return instead; });
 }
@@ -81,12 +84,12 @@ QString withoutPrivate(const QString& text, const Privacy& privacy) {
   static const QRegularExpression secret(
       QStringLiteral(
           "\\b(\\w*(?:secret|token|password|passwd|authorization|api[_-]?key)\\w*[\"']?\\s*[=:]\\s*)"
-          "(?:(?:Secret|Bearer|Basic)\\s+)?[^\\s&,;]+"),
+          "(?:(?:Secret|Bearer|Basic)\\s+)?[^\\s&,;，；。]+"),
       QRegularExpression::CaseInsensitiveOption);
   // User, password, path and query go with it.
   static const QRegularExpression url(
-      QStringLiteral(
-          "\\b([a-z][a-z0-9+.-]*://)(?:[^\\s/@]*@)?(\\[[^\\]\\s]*\\]|[^\\s/:?#\"'<>)\\],;]*)[^\\s\"'<>),;]*"),
+      QStringLiteral("\\b([a-z][a-z0-9+.-]*://)(?:[^\\s/@]*@)?(\\[[^\\]\\s]*\\]|[^\\s/"
+                     ":?#\"'<>)\\],;，；。：）”]*)[^\\s\"'<>),;，；。：）”]*"),
       QRegularExpression::CaseInsensitiveOption);
   static const QRegularExpression mac(QStringLiteral("\\b[0-9a-f]{2}(?:[:-][0-9a-f]{2}){5}\\b"),
                                       QRegularExpression::CaseInsensitiveOption);

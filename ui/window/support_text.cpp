@@ -51,8 +51,8 @@ QString supportText(const Support& support, const QStringList& system, const Pri
 QString leftOutSentence() {
   return QCoreApplication::translate("window",
                                      "Left out: addresses and names of robots (robot-1, robot-2 …), secrets, "
-                                     "home folders, the names of user and "
-                                     "computer. Names of maps and topics are in it.");
+                                     "home folders, the names of user and computer. Names of maps, files and "
+                                     "topics are in it, and names of one or two letters.");
 }
 
 }  // namespace mapwright::ui
