@@ -6,6 +6,8 @@
 #include <set>
 
 #include <CLI/CLI.hpp>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QRegularExpression>
 
 #include "app/command_text.h"
@@ -158,10 +160,17 @@ tl::expected<void, QString> startLog(const LogArguments& given) {
 void hideInLog(const QByteArray& secret) {
   if (secret.isEmpty()) return;
   const std::lock_guard lock(hidden().mutex);
-  hidden().secrets.insert(secret.toStdString());
+  std::set<std::string>& secrets = hidden().secrets;
+  secrets.insert(secret.toStdString());
+  // As servers repeat it: in an address, and in JSON with / as it is and as \/.
+  secrets.insert(secret.toPercentEncoding().toStdString());
+  const QByteArray json = QJsonDocument(QJsonArray{QString::fromUtf8(secret)}).toJson(QJsonDocument::Compact);
+  QByteArray quoted = json.mid(2, json.size() - 4);
+  secrets.insert(quoted.toStdString());
+  secrets.insert(quoted.replace('/', "\\/").toStdString());
   // As robots' words are shown.
   if (const QString shown = net::plainText(QString::fromUtf8(secret)); !shown.isEmpty())
-    hidden().secrets.insert(shown.toStdString());
+    secrets.insert(shown.toStdString());
 }
 
 }  // namespace mapwright::app

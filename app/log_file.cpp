@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -67,7 +68,10 @@ LogFile::~LogFile() {
 
 std::optional<QString> LogFile::open(const std::string& path) {
   const std::lock_guard lock(mutex_);
-  path_ = path;
+  // Links are followed when it is turned, too.
+  char* const target = ::realpath(path.c_str(), nullptr);
+  path_ = target ? target : path;
+  std::free(target);
   // A pipe without a reader must not stop the program.
   file_ = openToAppend(path);
   if (file_ < 0) return noLog(path, Text::tr("%1.").arg(lastError()));
@@ -80,9 +84,11 @@ std::optional<QString> LogFile::open(const std::string& path) {
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0) return refuse(Text::tr("another mapwright is writing there."));
   bytes_ = sizeOf(file_);
   if (bytes_ > 0 && !beginsAsLog(file_)) return refuse(Text::tr("the file is something else."));
+  char last = '\n';
+  cut_ = bytes_ > 0 && ::pread(file_, &last, 1, off_t(bytes_ - 1)) == 1 && last != '\n';
   // They will be written over.
   for (int number = 1; number < limits_.files; ++number) {
-    const std::string name = numbered(path, number);
+    const std::string name = numbered(path_, number);
     const int older = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (older < 0 && errno == ENOENT) continue;
     const bool log = older >= 0 && isFile(older) && (sizeOf(older) == 0 || beginsAsLog(older));
@@ -101,13 +107,15 @@ std::optional<QString> LogFile::write(std::string_view line) {
   if (!full || turn()) {
     // In one piece: a full disk cuts it at most once.
     const std::string text =
-        (bytes_ == 0 ? std::string(kLogBegins) : std::string()) + std::string(line) + '\n';
+        (bytes_ == 0 ? std::string(kLogBegins) : std::string(cut_ ? "\n" : "")) + std::string(line) + '\n';
     if (writeAllOf(file_, text)) {
       bytes_ += text.size();
+      cut_ = false;
       return std::nullopt;
     }
   }
   const QString why = lastError();
+  cut_ = cut_ || sizeOf(file_) != bytes_;
   bytes_ = sizeOf(file_);
   if (said_) return std::nullopt;
   said_ = true;
@@ -132,6 +140,7 @@ bool LogFile::turn() {
   file_ = file;
   ::flock(file_, LOCK_EX | LOCK_NB);
   bytes_ = 0;
+  cut_ = false;
   return true;
 }
 

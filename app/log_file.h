@@ -38,6 +38,7 @@ class LogFile {
   std::string path_;
   int file_ = -1;
   std::size_t bytes_ = 0;
+  bool cut_ = false;  // its last line is not whole
   bool said_ = false;
 };
 

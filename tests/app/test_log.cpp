@@ -24,7 +24,7 @@ using robot::testing::ScriptedRobot;
 
 using Outcome = tests::EndedBytes;
 
-const QByteArray kSecret = "hush-hush";
+const QByteArray kSecret = "hush/hush=";
 
 }  // namespace
 
@@ -139,8 +139,9 @@ class LogTest : public QObject {
     serveMaps(robot);
     const QString list = QStringLiteral("maps list --secret-file %1 --robot %2 --log-file log.txt")
                              .arg(secretFile(), axbot(robot));
-    robot.answers["/mappings/"] = ScriptedRobot::reply(500, "{\"detail\":\"not with " + kSecret + "\"}",
-                                                       "Content-Type: application/json\r\n");
+    robot.answers["/mappings/"] = ScriptedRobot::reply(
+        500, "{\"detail\":\"not with " + kSecret + " " + kSecret.toPercentEncoding() + " hush\\\\/hush=\"}",
+        "Content-Type: application/json\r\n");
     const Outcome first = run(list);
     QVERIFY2(!first.err.contains("mapwright.net"), first.err.constData());
     const QByteArray log = program_.bytes("log.txt");
@@ -209,6 +210,27 @@ class LogTest : public QObject {
     QVERIFY(kept.indexOf("line 93.") < kept.indexOf("line 99."));
   }
 
+  void aLineThatWasCutDoesNotSpoilTheNext() {
+    {
+      QFile file(at("cut"));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write("# mapwright log\nhalf a li");
+    }
+    LogFile log;
+    QVERIFY(!log.open(at("cut").toStdString()) && !log.write("whole"));
+    QCOMPARE(program_.bytes("cut"), QByteArray("# mapwright log\nhalf a li\nwhole\n"));
+  }
+
+  void aLinkStaysOneWhenTheLogIsTurned() {
+    LogFile log({60, 3});
+    QVERIFY(QFile::link(at("target"), at("link")));
+    { QVERIFY(QFile(at("target")).open(QIODevice::WriteOnly)); }
+    QVERIFY(!log.open(at("link").toStdString()));
+    for (int i = 0; i < 3; ++i) QVERIFY(!log.write(std::string(30, '.')));
+    QVERIFY(QFileInfo(at("link")).isSymLink() && QFile::exists(at("target.1")) &&
+            !QFile::exists(at("link.1")));
+  }
+
   void twoDoNotWriteIntoOne() {
     LogFile one, other;
     const std::string path = at("shared").toStdString();
@@ -247,8 +269,9 @@ class LogTest : public QObject {
     serveMaps(robot);
     robot.serve("/maps/1", R"({"id":1,"map_name":"Hall","grid_resolution":0.05,"grid_origin_x":0,)"
                            R"("grid_origin_y":0,"image_url":"/maps/1.png?token=tok-en"})");
-    robot.answers["/mappings/"] = ScriptedRobot::reply(500, "{\"detail\":\"not with " + kSecret + "\"}",
-                                                       "Content-Type: application/json\r\n");
+    robot.answers["/mappings/"] = ScriptedRobot::reply(
+        500, "{\"detail\":\"not with " + kSecret + " " + kSecret.toPercentEncoding() + " hush\\\\/hush=\"}",
+        "Content-Type: application/json\r\n");
     robot.answers["/chassis/current-map"] =
         "HTTP/1.1 302 Found\r\nConnection: close\r\nContent-Length: 0\r\n"
         "Location: /chassis/there?secret=tok-en\r\n\r\n";
@@ -281,7 +304,9 @@ class LogTest : public QObject {
       if (one.contains(" mapwright.") || one.contains(" qt.")) log += one + '\n';
     }
     QVERIFY2(log.contains("mapwright.net: "), outcome.err.constData());
-    QVERIFY2(!log.contains(kSecret) && !log.contains("tok-en"), log.constData());
+    for (const QByteArray& form :
+         {kSecret, kSecret.toPercentEncoding(), QByteArray("hush\\/hush="), QByteArray("tok-en")})
+      QVERIFY2(!log.contains(form), log.constData());
     for (const QJsonObject& asked : std::as_const(bridge.asked)) {
       const QByteArray mac = asked[QLatin1String("mac")].toString().toLatin1();
       QVERIFY2(mac.isEmpty() || !log.contains(mac), log.constData());
