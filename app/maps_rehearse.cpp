@@ -326,8 +326,12 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
   } else if (!isStandardOutput(output)) {
     printRehearsal(*site, ways);
   }
-  const bool free =
-      std::all_of(ways.begin(), ways.end(), [](const RehearsedWay& one) { return one.way.free(); });
+  bool free = true;
+  for (const RehearsedWay& one : ways) {
+    if (one.way.length_m == 0)
+      say(Text::tr("%1: there is no line of it to look at.").arg(oneLine(text(one.name))));
+    free = free && one.way.free() && one.way.length_m > 0 && one.way.elsewhere_m == 0;
+  }
   return free ? kDone : kIncomplete;
 }
 

@@ -85,9 +85,10 @@ CommandResult<int> probe(const ProbeArguments& args) {
   const auto host = addresses.bareHost(typed);
   if (const auto why = host ? std::nullopt : robot::noPortReason(typed)) return wrong(words::plainName(*why));
   if (!host)
-    return wrong(Text::tr("%1 is not a host. Give its name or address, with or without a port, for example "
-                          "192.168.25.25 or dock-3.local:8090.")
-                     .arg(words::plainName(typed)));
+    return wrong(
+        Text::tr("%1 is not a host. Give its name or address, with or without a port, for example "
+                 "192.168.25.25 or dock-3.local:8090.")
+            .arg(words::plainName(typed.mid(typed.lastIndexOf(QLatin1Char('@')) + 1))));  // no password
   jobs::RobotSearch search(probesOf(*host), std::chrono::milliseconds(std::llround(args.timeout_s * 1000)));
   QEventLoop loop;
   QObject::connect(&search, &jobs::RobotSearch::ended, &loop, &QEventLoop::quit);

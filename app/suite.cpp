@@ -437,6 +437,10 @@ int suiteCommand(SuiteDeed deed, SuiteArguments& args, const Invocation& before)
   std::unique_ptr<QTemporaryDir> aside;
   if (deed == SuiteDeed::Accept && args.report.empty()) {
     aside = std::make_unique<QTemporaryDir>();
+    if (!aside->isValid())
+      return refuse(kUsage,
+                    Text::tr("There is no folder for temporary files: %1. Set TMPDIR, or pass --report.")
+                        .arg(aside->errorString()));
     args.report = aside->path().toStdString();
   }
   OffscreenApplication application(before.argc, before.argv);
