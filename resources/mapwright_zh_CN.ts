@@ -141,7 +141,7 @@
     </message>
     <message>
         <source>This is a local map: there is no robot, so nothing moves on it.</source>
-        <translation>这是本地地图：没有机器人，所以上面没有东西移动。</translation>
+        <translation>这是本地地图：没有机器人，因此图上没有会移动的东西。</translation>
     </message>
     <message>
         <source>This is not confirmed by the robot&apos;s maker: how maps are changed is only known from third parties. The result is read back.</source>
@@ -172,7 +172,7 @@
     <name>Address</name>
     <message>
         <source>%1: leave the user name and password out of the address. Put the secret into its own field, --secret-file or MAPWRIGHT_SECRET.</source>
-        <translation>%1：地址中不要写用户名和密码。请把凭据填入单独的字段，或使用 --secret-file 或 MAPWRIGHT_SECRET。</translation>
+        <translation>%1：地址中不要写用户名和密码。请把密钥填入单独的字段，或使用 --secret-file 或 MAPWRIGHT_SECRET。</translation>
     </message>
     <message>
         <source>Enter a robot address, for example %1.</source>
@@ -1454,11 +1454,11 @@
     </message>
     <message>
         <source>File with the secret for the robot of --robot (or MAPWRIGHT_SECRET)</source>
-        <translation>存放 --robot 机器人凭据的文件（或 MAPWRIGHT_SECRET）</translation>
+        <translation>存放 --robot 机器人密钥的文件（或 MAPWRIGHT_SECRET）</translation>
     </message>
     <message>
         <source>Address of another robot, and the file with its secret; may be repeated</source>
-        <translation>另一台机器人的地址，以及存放其凭据的文件；可重复使用</translation>
+        <translation>另一台机器人的地址，以及存放其密钥的文件；可重复使用</translation>
     </message>
     <message>
         <source>PEM file with certificate authorities (or self-signed certificates) to trust in addition to the system&apos;s</source>
@@ -2286,7 +2286,7 @@
     </message>
     <message>
         <source>From (UTC)</source>
-        <translation>从 (UTC)</translation>
+        <translation>开始时间 (UTC)</translation>
     </message>
     <message>
         <source>To (UTC)</source>
@@ -2826,11 +2826,11 @@
     </message>
     <message>
         <source>The secret must be one line of at most 4096 bytes.</source>
-        <translation>凭据必须是一行，且不超过 4096 字节。</translation>
+        <translation>密钥必须是一行，且不超过 4096 字节。</translation>
     </message>
     <message>
         <source>The secret file %1 cannot be read: %2.</source>
-        <translation>无法读取凭据文件 %1：%2。</translation>
+        <translation>无法读取密钥文件 %1：%2。</translation>
     </message>
     <message>
         <source>--secret-file-for %1: give the address of a robot, followed by the file.</source>
@@ -4494,6 +4494,14 @@
         <source>Radius of the robot in metres (default: as it reports, else 0.3); 0: as if it had no size</source>
         <translation>机器人半径，单位米（默认：取机器人报告的值，否则为 0.3）；0：视为没有大小</translation>
     </message>
+    <message>
+        <source>%1: there is no line of it to look at.</source>
+        <translation>%1：其中没有可查看的路线。</translation>
+    </message>
+    <message>
+        <source>There is no folder for temporary files: %1. Set TMPDIR, or pass --report.</source>
+        <translation>没有存放临时文件的文件夹：%1。请设置 TMPDIR，或使用 --report。</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonText</name>
@@ -4976,7 +4984,7 @@
     </message>
     <message>
         <source>asks for a secret</source>
-        <translation>要求提供凭据</translation>
+        <translation>要求提供密钥</translation>
     </message>
 </context>
 <context>
@@ -7949,7 +7957,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>%1 m. Not free: %2.</source>
-        <translation>%1 m。不空闲的：%2。</translation>
+        <translation>%1 m。有问题的路段：%2。</translation>
     </message>
     <message>
         <source>Most of it lies where this map knows nothing: it may be of another place.</source>
@@ -8098,7 +8106,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>File with the secret without which the Autoxing robot answers 401</source>
-        <translation>凭据文件；没有该凭据时 Autoxing 机器人应答 401</translation>
+        <translation>密钥文件；没有该密钥时 Autoxing 机器人应答 401</translation>
     </message>
     <message>
         <source>Accept enable_topic for only one topic at a time</source>
@@ -8470,7 +8478,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>The secret file %1 holds no secret.</source>
-        <translation>凭据文件 %1 中没有凭据。</translation>
+        <translation>密钥文件 %1 中没有密钥。</translation>
     </message>
     <message>
         <source>Run a simulated robot on 127.0.0.1</source>
@@ -11864,7 +11872,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>Off, m</source>
-        <translation>偏差，m</translation>
+        <translation>残差，m</translation>
     </message>
     <message>
         <source>Turn, °</source>
@@ -12431,7 +12439,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>Find out what answers there</source>
-        <translation>查明那里应答的是什么</translation>
+        <translation>查找该地址上的机器人</translation>
     </message>
     <message>
         <source>As its address says</source>
@@ -12728,7 +12736,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>Copies of overwritten maps</source>
-        <translation>被覆盖地图的副本</translation>
+        <translation>被覆盖地图的备份</translation>
     </message>
     <message>
         <source>Before a robot&apos;s map is overwritten, its old picture is kept in %1: the newest %2 of each map, and at most %3 in all.</source>
@@ -13834,6 +13842,10 @@ Expected at %2</source>
         <source>Model: %1, version %2</source>
         <translation>型号：%1，版本 %2</translation>
     </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>型号：%1</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::ImportDialog</name>
@@ -14061,7 +14073,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>%1 of pictures</source>
-        <translation>%1 为图像</translation>
+        <translation>图像 %1</translation>
     </message>
     <message>
         <source>%1 to come, %2 failed</source>
@@ -17217,7 +17229,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Cop&amp;ies of overwritten maps…</source>
-        <translation>被覆盖地图的副本(&amp;I)…</translation>
+        <translation>被覆盖地图的备份(&amp;I)…</translation>
     </message>
     <message>
         <source>What robots had before their maps were overwritten; it can be put back</source>
@@ -17870,7 +17882,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>At the &amp;robot</source>
-        <translation>在机器人处(&amp;R)</translation>
+        <translation>在机器人处新建(&amp;R)</translation>
     </message>
     <message>
         <source>A waypoint at the robot&apos;s position and heading</source>
@@ -17886,7 +17898,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Along a &amp;line</source>
-        <translation>沿线(&amp;L)</translation>
+        <translation>沿线布置(&amp;L)</translation>
     </message>
     <message>
         <source>Evenly spaced waypoints along a line, heading along it</source>
@@ -19793,7 +19805,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>It lies as it was recorded.</source>
-        <translation>它按录制时的位置放置。</translation>
+        <translation>它位于录制时的位置。</translation>
     </message>
     <message>
         <source>Choose a recorded way to see what it crosses on this map. If it was driven on an old map, lay and align that as a reference map first.</source>
@@ -19801,15 +19813,15 @@ Theirs: %6</source>
     </message>
     <message>
         <source>The reference map was moved, or is another one now. Press Again.</source>
-        <translation>参考地图被移动过，或已换成另一张。请按“重新”。</translation>
+        <translation>参考地图被移动过，或已换成另一张。请按“重新预演”。</translation>
     </message>
     <message>
         <source>Cancelled. Press Again.</source>
-        <translation>已取消。请按“重新”。</translation>
+        <translation>已取消。请按“重新预演”。</translation>
     </message>
     <message>
         <source>The map on screen has changed, or is another one now. Press Again.</source>
-        <translation>屏幕上的地图已更改，或已换成另一张。请按“重新”。</translation>
+        <translation>屏幕上的地图已更改，或已换成另一张。请按“重新预演”。</translation>
     </message>
     <message>
         <source>The robot does not offer its recordings any more.</source>
@@ -19844,7 +19856,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Again</source>
-        <translation>重新</translation>
+        <translation>重新预演</translation>
     </message>
     <message>
         <source>Read it again, and lay it on the map as it is now</source>
@@ -19868,7 +19880,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>From (UTC)</source>
-        <translation>从 (UTC)</translation>
+        <translation>开始时间 (UTC)</translation>
     </message>
     <message>
         <source>What the way crosses</source>
@@ -19905,6 +19917,10 @@ Theirs: %6</source>
     <message>
         <source>Robot: %1 m</source>
         <translation>机器人：%1 m</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
     </message>
 </context>
 <context>
@@ -20445,12 +20461,12 @@ Theirs: %6</source>
     </message>
     <message>
         <source>No alerts</source>
-        <translation>没有警报</translation>
+        <translation>没有告警</translation>
     </message>
     <message numerus="yes">
         <source>%1 alerts</source>
         <translation>
-            <numerusform>%1 个警报</numerusform>
+            <numerusform>%1 个告警</numerusform>
         </translation>
     </message>
     <message>
@@ -24765,8 +24781,8 @@ Qt %2，编译时为 %3</translation>
         <translation>问题（最近 %1 个，共 %2 个）</translation>
     </message>
     <message>
-        <source>Left out: addresses and names of robots (robot-1, robot-2 …), secrets, home folders, the names of user and computer. Names of maps and topics are in it.</source>
-        <translation>已略去：机器人的地址和名称 (robot-1、robot-2…)、密钥、主文件夹、用户名和计算机名。地图和话题的名称仍在其中。</translation>
+        <source>Left out: addresses and names of robots (robot-1, robot-2 …), secrets, home folders, the names of user and computer. Names of maps, files and topics are in it, and names of one or two letters.</source>
+        <translation>已略去：机器人的地址和名称 (robot-1、robot-2…)、密钥、主文件夹、用户名和计算机名。地图、文件和话题的名称仍在其中，一两个字母的名称也是。</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "words/sentences.h"
 
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -13,18 +14,39 @@ void trimEnd(std::string& words) {
   }
 }
 
-bool hasEnd(const std::string& words) {
-  constexpr std::string_view kEllipsis = "…";
-  const std::string_view view(words);
-  return view.ends_with('.') || view.ends_with('!') || view.ends_with('?') || view.ends_with(kEllipsis);
+constexpr std::string_view kChineseStop = "。";
+
+bool hasEnd(std::string_view words) {
+  for (const std::string_view end :
+       {std::string_view("."), std::string_view("!"), std::string_view("?"), std::string_view("…"),
+        kChineseStop, std::string_view("！"), std::string_view("？")}) {
+    if (words.ends_with(end)) return true;
+  }
+  return false;
 }
+
+/// It ends in Chinese, and not only in a Chinese name. In UTF-8 these characters have three bytes.
+bool isChinese(std::string_view words) {
+  std::size_t chinese = 0, latin = 0;
+  bool last = false;
+  for (const char each : words) {
+    const auto byte = static_cast<unsigned char>(each);
+    const bool begins = (byte >= 0xe3 && byte <= 0xe9) || byte == 0xef;
+    chinese += begins;
+    latin += (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
+    if (byte < 0x80 || byte >= 0xc0) last = begins;
+  }
+  return last && chinese > latin;
+}
+
+void stop(std::string& words) { words += isChinese(words) ? kChineseStop : std::string_view("."); }
 
 }  // namespace
 
 std::string withoutStop(std::string words) {
   trimEnd(words);
-  while (!words.empty() && words.back() == '.') {
-    words.pop_back();
+  while (words.ends_with('.') || words.ends_with(kChineseStop)) {
+    words.resize(words.size() - (words.ends_with('.') ? 1 : kChineseStop.size()));
     trimEnd(words);
   }
   return words;
@@ -38,7 +60,7 @@ std::string asSentence(std::string words) {
   // "reason.." is one sentence; "reason..." is left open on purpose.
   if (words.ends_with("..") && !words.ends_with("...")) words = withoutStop(std::move(words));
   if (words.empty()) return words;
-  if (!hasEnd(words)) words += '.';
+  if (!hasEnd(words)) stop(words);
   // A path stays as it is.
   const bool path = words.substr(0, words.find(' ')).find('/') != std::string::npos;
   if (!path && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
@@ -49,9 +71,12 @@ std::string because(std::string what, std::string reason) {
   what = withoutStop(std::move(what));
   while (what.ends_with(':')) what = withoutStop(what.substr(0, what.size() - 1));
   reason = withoutStop(std::move(reason));
-  if (reason.empty()) return what + '.';
-  what += ": " + reason;
-  if (!hasEnd(what)) what += '.';
+  if (reason.empty()) {
+    stop(what);
+    return what;
+  }
+  what += (isChinese(what) ? "：" : ": ") + reason;
+  if (!hasEnd(what)) stop(what);
   return what;
 }
 

@@ -1,4 +1,4 @@
-// Builds sentences from texts that may or may not end with a full stop.
+// Builds sentences from texts that may or may not end with a full stop. Chinese ones get a Chinese stop.
 #pragma once
 
 #include <string>

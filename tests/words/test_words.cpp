@@ -113,6 +113,10 @@ class WordsTest : public QObject {
     row(" ", "");
     row("", "");
     row("..", "");
+    row("没有应答", "没有应答。");
+    row("没有应答。", "没有应答。");
+    row("真的？", "真的？");
+    row("There is no map 一楼", "There is no map 一楼.");
   }
   void sentencesEndOnce() {
     QFETCH(QString, words);
