@@ -21,6 +21,7 @@
 #include "sentences/fault_sentence.h"
 #include "words/figures.h"
 #include "words/fixed.h"
+#include "words/qt_versions.h"
 #include "words/text.h"
 #include "work/workers.h"
 
@@ -39,7 +40,7 @@ QString counted(std::size_t count) { return QString::fromStdString(words::groupe
 
 QString timeText(std::optional<double> stamp_s) {
   if (!stamp_s) return QStringLiteral("-");
-  return QDateTime::fromMSecsSinceEpoch(qint64(std::llround(*stamp_s * 1000)), Qt::UTC)
+  return words::utcOfMs(qint64(std::llround(*stamp_s * 1000)))
       .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 

@@ -30,6 +30,10 @@ configure_file(${CMAKE_BINARY_DIR}/prelude.cpp.in ${CMAKE_BINARY_DIR}/prelude.cp
 
 # Tests are compiled without optimising: half of the time that it takes to build them, and what they test is optimised.
 set(MAPWRIGHT_TEST_OPTIONS -O0)
+# Since Qt 6.8 the macros that wait in tests (QTRY_VERIFY) make an int of a long.
+if(Qt6_VERSION VERSION_GREATER_EQUAL 6.8)
+  list(APPEND MAPWRIGHT_TEST_OPTIONS -Wno-conversion)
+endif()
 
 # g++ compiles with the optimisation of the precompiled header, whatever its command line says: each level has a header
 # of its own. Without levels (sanitizers, coverage) there is one of each kind.

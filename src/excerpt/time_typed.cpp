@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include "words/qt_versions.h"
+
 namespace mapwright::excerpt {
 namespace {
 
@@ -78,7 +80,7 @@ std::optional<double> absoluteTimeTyped(const QString& typed, double first_s) {
   QDateTime time =
       QDateTime::fromString(QString(text).replace(QLatin1Char(' '), QLatin1Char('T')), Qt::ISODateWithMs);
   if (!time.isValid()) return std::nullopt;
-  if (time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
+  if (time.timeSpec() == Qt::LocalTime) time = words::takenAsUtc(time);
   return double(time.toMSecsSinceEpoch()) / 1000;
 }
 

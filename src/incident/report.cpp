@@ -18,6 +18,7 @@
 #include "sentences/state_words.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::incident {
 namespace {
@@ -403,7 +404,7 @@ QString notWithinReason(const std::string& name, const robot::BagInfo& info, dou
 
 QString utcText(double epoch_s) {
   if (!std::isfinite(epoch_s) || std::abs(epoch_s) > 4e11) return QStringLiteral("-");
-  return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(epoch_s * 1000 + 0.5)), Qt::UTC)
+  return words::utcOfMs(qint64(std::floor(epoch_s * 1000 + 0.5)))
       .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz"));
 }
 

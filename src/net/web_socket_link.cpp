@@ -12,6 +12,7 @@
 #include "net/log.h"
 #include "net/openssl_exit.h"
 #include "net/plain_sentences.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::net {
 
@@ -165,8 +166,7 @@ void WebSocketLink::connectSocket() {
   socket_->setMaxAllowedIncomingMessageSize(options_.max_message_bytes);
   connect(socket_, &QWebSocket::connected, this, &WebSocketLink::becomeOpen);
   connect(socket_, &QWebSocket::disconnected, this, &WebSocketLink::loseConnection);
-  connect(socket_, QOverload<QAbstractSocket::SocketError>::of(&QWebSocket::error), this,
-          &WebSocketLink::onError);
+  connect(socket_, words::socketFailed<QWebSocket>(), this, &WebSocketLink::onError);
   connect(socket_, &QWebSocket::pong, this, [this](quint64 elapsed_ms) {
     round_trip_ms_ = int(elapsed_ms);
     Q_EMIT changed();

@@ -12,6 +12,7 @@
 
 #include "map/failure.h"
 #include "replay/faults.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::replay {
 namespace {
@@ -69,9 +70,7 @@ std::vector<Fault> failureReason(const map::Failure& failure) {
 Fault faultOf(const std::vector<Hole>& holes) {
   constexpr std::size_t kMostNamed = 10;
   const auto clock = [](double at_s, const char* format) {
-    return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(at_s * 1000)), Qt::UTC)
-        .toString(QLatin1String(format))
-        .toStdString();
+    return words::utcOfMs(qint64(std::floor(at_s * 1000))).toString(QLatin1String(format)).toStdString();
   };
   Fault all = FaultCode{"replay", QT_TRANSLATE_NOOP("replay", "Not all of it can be read"),
                         FaultCode::Causes::Continued};

@@ -37,7 +37,7 @@ struct Search {
   double at_s;
   bool complete;
   const ContentOf& content;
-  WorldAt result = {};
+  WorldAt& result;
   std::map<Slot, Found> last = {};
   std::vector<Found> frames = {};
   std::deque<map::TopicMessage> light = {};  // of `frames`
@@ -215,7 +215,8 @@ bool framesBetween(const PrefixIndex& index, double from_s, double until_s) {
 
 WorldAt worldAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double at_s, bool complete,
                 const ContentOf& content) {
-  Search search{index, from, chunk, at_s, complete, content};
+  WorldAt result;
+  Search search{index, from, chunk, at_s, complete, content, result};
   search.lookIntoChunk();
   search.lookBack();
   if (!complete) search.addBackFilled();
@@ -227,11 +228,11 @@ WorldAt worldAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double 
   world.live.safety = std::move(history.live.safety);
   world.live.nearby_footprints = std::move(history.live.nearby_footprints);
   world.at_s = search.newest();
-  search.result.world = std::move(world);
-  auto& missing = search.result.missing;
+  result.world = std::move(world);
+  auto& missing = result.missing;
   std::sort(missing.begin(), missing.end());
   missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-  return std::move(search.result);
+  return result;
 }
 
 std::map<std::string, double> topicsAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double at_s,

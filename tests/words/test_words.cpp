@@ -7,6 +7,7 @@
 #include "test_program.h"
 #include "words/decimal.h"
 #include "words/qt_plain.h"
+#include "words/qt_versions.h"
 #include "words/shortest.h"
 
 namespace test_words {
@@ -143,6 +144,14 @@ class WordsTest : public QObject {
     QFETCH(QString, what);
     QFETCH(QString, reason);
     QTEST(QString::fromStdString(words::because(what.toStdString(), reason.toStdString())), "sentence");
+  }
+
+  // With Qt 6.4 and 6.8.
+  void timesInUtcEndWithZ() {
+    const auto text = [](const QDateTime& time) { return time.toString(Qt::ISODateWithMs); };
+    QCOMPARE(text(words::utcOfMs(-1)), QStringLiteral("1969-12-31T23:59:59.999Z"));
+    const QDateTime shown(QDate(2026, 3, 29), QTime(12, 30), QTimeZone(2 * 3600));
+    QCOMPARE(text(words::takenAsUtc(shown)), QStringLiteral("2026-03-29T12:30:00.000Z"));
   }
 };
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QTimeZone>
+#include <QDateTime>
 
 #include "submap/submap_store.h"
 #include "ui/kit/status_text.h"
@@ -11,6 +11,7 @@
 #include "ui/scene/lengths.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::ui {
 namespace {
@@ -22,7 +23,8 @@ class FactText {
 constexpr double kMillimetres = 0.001;  // a scale that shows them
 
 QString clockText(double at_s, bool utc) {
-  const auto at = QDateTime::fromMSecsSinceEpoch(std::llround(at_s * 1000), utc ? Qt::UTC : Qt::LocalTime);
+  const qint64 at_ms = std::llround(at_s * 1000);
+  const QDateTime at = utc ? words::utcOfMs(at_ms) : QDateTime::fromMSecsSinceEpoch(at_ms);
   return at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 

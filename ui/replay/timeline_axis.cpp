@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include "replay/player.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::ui {
 
@@ -22,8 +23,7 @@ constexpr double kDayS = 86'400;
 constexpr double kFarthestS = 1e11;  // limit for QDateTime
 
 QDateTime utc(double at_s) {
-  return QDateTime::fromMSecsSinceEpoch(
-      qint64(std::floor(std::clamp(at_s, -kFarthestS, kFarthestS) * 1000 + 1e-3)), Qt::UTC);
+  return words::utcOfMs(qint64(std::floor(std::clamp(at_s, -kFarthestS, kFarthestS) * 1000 + 1e-3)));
 }
 
 }  // namespace

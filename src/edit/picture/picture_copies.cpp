@@ -12,6 +12,7 @@
 #include "grids/export_grid.h"
 #include "sentences/fault_sentence.h"
 #include "words/file_name.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::edit {
 namespace {
@@ -30,10 +31,9 @@ QString pictureOf(const QString& yaml) { return QFile::decodeName(filesOf(yaml).
 
 /// nullopt: the name is not from copyPath().
 std::optional<QDateTime> madeAt(const QString& name) {
-  QDateTime made = QDateTime::fromString(QFileInfo(name).completeBaseName(), kTime);
+  const QDateTime made = QDateTime::fromString(QFileInfo(name).completeBaseName(), kTime);
   if (!made.isValid()) return std::nullopt;
-  made.setTimeSpec(Qt::UTC);
-  return made;
+  return words::takenAsUtc(made);
 }
 
 PictureCopy lookAt(const QString& path, const QDateTime& made) {

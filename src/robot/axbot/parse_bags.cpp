@@ -10,6 +10,7 @@
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/plain_messages.h"
 #include "robot/wire/read_json.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -20,10 +21,9 @@ Fault notJson(std::string_view utf8) { return {fault::MessageNotJson, {std::int6
 
 /// "31-Oct-2023 14:36:17", always in English.
 std::optional<double> listedTime(const std::string& text) {
-  QDateTime time =
+  const QDateTime time =
       QLocale::c().toDateTime(QString::fromStdString(text), QStringLiteral("d-MMM-yyyy HH:mm:ss"));
-  time.setTimeSpec(Qt::UTC);
-  return time.isValid() ? std::optional(double(time.toSecsSinceEpoch())) : std::nullopt;
+  return time.isValid() ? std::optional(double(words::takenAsUtc(time).toSecsSinceEpoch())) : std::nullopt;
 }
 
 std::optional<BagEntry> readRow(const wire::Json& row, BagKind kind) {

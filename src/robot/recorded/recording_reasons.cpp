@@ -9,6 +9,7 @@
 
 #include "recorder/layout.h"
 #include "robot/recorded/faults.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -64,7 +65,7 @@ std::optional<std::int64_t> numberIn(const recording::Values& values, const char
 
 /// "2024-06-03 09:00:00.250 UTC".
 std::string timeWords(std::int64_t epoch_ns) {
-  return QDateTime::fromMSecsSinceEpoch(epoch_ns / 1'000'000, Qt::UTC)
+  return words::utcOfMs(epoch_ns / 1'000'000)
       .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz 'UTC'"))
       .toStdString();
 }

@@ -9,6 +9,7 @@
 #include "robot/faults.h"
 #include "robot/ros/faults.h"
 #include "robot/wire/net_results.h"
+#include "words/qt_versions.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -34,7 +35,7 @@ map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::
 RawMessage rawOf(const TopicMessage& message) {
   RawMessage raw;
   raw.topic = QString::fromStdString(message.topic);
-  raw.received = QDateTime::fromMSecsSinceEpoch(qint64(message.received_s * 1000), Qt::UTC);
+  raw.received = words::utcOfMs(qint64(message.received_s * 1000));
   raw.bytes = message.bytes;
   raw.binary = message.binary;
   raw.text = message.bytes <= kShownWhole ? message.msg.toWholeJson() : message.msg.toJson(kMaxRawText);
