@@ -24,16 +24,16 @@ set(PRELUDE_FOLDERS_test ${PROJECT_SOURCE_DIR}/tests)
 # Qt Test defines the folder of every test on its command line, and a precompiled header that has seen one folder is
 # refused in the next. Our tests find their data by MAPWRIGHT_TEST_DATA.
 set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
+# Since Qt 6.8 its macros that wait (QTRY_VERIFY) make an int of a long.
+if(Qt6_VERSION VERSION_GREATER_EQUAL 6.8)
+  set_property(TARGET Qt6::Test APPEND PROPERTY INTERFACE_COMPILE_OPTIONS -Wno-conversion)
+endif()
 
 file(WRITE ${CMAKE_BINARY_DIR}/prelude.cpp.in "")
 configure_file(${CMAKE_BINARY_DIR}/prelude.cpp.in ${CMAKE_BINARY_DIR}/prelude.cpp COPYONLY)
 
 # Tests are compiled without optimising: half of the time that it takes to build them, and what they test is optimised.
 set(MAPWRIGHT_TEST_OPTIONS -O0)
-# Since Qt 6.8 the macros that wait in tests (QTRY_VERIFY) make an int of a long.
-if(Qt6_VERSION VERSION_GREATER_EQUAL 6.8)
-  list(APPEND MAPWRIGHT_TEST_OPTIONS -Wno-conversion)
-endif()
 
 # g++ compiles with the optimisation of the precompiled header, whatever its command line says: each level has a header
 # of its own. Without levels (sanitizers, coverage) there is one of each kind.

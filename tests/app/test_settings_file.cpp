@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimeZone>
 
 #include "app/settings_file.h"
 #include "test_program.h"
@@ -38,7 +39,7 @@ class SettingsFileTest : public QObject {
     settings.setValue(QStringLiteral("view/theme"), QStringLiteral("dark \"é\"\n"));
     settings.beginWriteArray(QStringLiteral("recentRobots"), 1);
     settings.setArrayIndex(0);
-    settings.setValue(QStringLiteral("last"), QDateTime(QDate(2030, 5, 1), QTime(12, 0), Qt::UTC));
+    settings.setValue(QStringLiteral("last"), QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()));
     settings.endArray();
   }
   static void check(QSettings& settings) {
@@ -51,7 +52,7 @@ class SettingsFileTest : public QObject {
     QCOMPARE(settings.beginReadArray(QStringLiteral("recentRobots")), 1);
     settings.setArrayIndex(0);
     QCOMPARE(settings.value(QStringLiteral("last")).toDateTime(),
-             QDateTime(QDate(2030, 5, 1), QTime(12, 0), Qt::UTC));
+             QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()));
     settings.endArray();
   }
 

@@ -7,6 +7,7 @@
 #include <QSemaphore>
 #include <QTemporaryDir>
 #include <QThread>
+#include <QTimeZone>
 #include <QtEndian>
 #include <QtTest>
 #include <libdeflate.h>
@@ -57,7 +58,7 @@ class TestHttpCache : public QObject {
  private Q_SLOTS:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    now_ = QDateTime(QDate(2030, 5, 1), QTime(12, 0), Qt::UTC);
+    now_ = QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc());
   }
 
   void obeysTheHeaders_data() {

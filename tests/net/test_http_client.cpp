@@ -1,6 +1,7 @@
 #include <optional>
 
 #include <QTemporaryDir>
+#include <QTimeZone>
 #include <QtTest>
 
 #include "fault_arguments.h"
@@ -323,7 +324,7 @@ class TestHttpClient : public QObject {
   }
 
   void freshAnswersDoNotTravel() {
-    QDateTime now(QDate(2030, 1, 1), QTime(0, 0), Qt::UTC);
+    QDateTime now(QDate(2030, 1, 1), QTime(0, 0), QTimeZone::utc());
     ScriptedServer server([](const SeenRequest& request) {
       if (request.headers.value("if-none-match") == "W/\"v1\"") {
         return QByteArray(

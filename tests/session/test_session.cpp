@@ -2,6 +2,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimeZone>
 
 #include "fake_robot.h"
 #include "map/faults.h"
@@ -476,7 +477,7 @@ class SessionTest : public QObject {
   }
 
   void problemsMayBeToldWithTheirTimes() {
-    const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
+    const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc());
     const map::Subject stop(map::SubjectKind::Condition, "emergency-stop");
     session_->report({map::Severity::Error, stop, map::fault::EmergencyStop}, noon);
     session_->recover({stop}, noon.addSecs(90));

@@ -1,6 +1,7 @@
 // A session and its whole maps: catalogue, opening, comparing, topics.
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimeZone>
 #include <QTimer>
 
 #include "fake_robot.h"
@@ -119,7 +120,7 @@ class SessionMapsTest : public QObject {
 
   void aWorldThatIsGivenIsShownAsIfItsMessagesHadCome() {
     // The world of one robot, as a session keeps it ...
-    QDateTime now(QDate(2024, 5, 1), QTime(12, 0), Qt::UTC);
+    QDateTime now(QDate(2024, 5, 1), QTime(12, 0), QTimeZone::utc());
     Session::Options options;
     options.wall = [&] { return now; };
     make(true, true, true, false, options);

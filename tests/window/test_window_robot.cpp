@@ -4,6 +4,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableView>
+#include <QTimeZone>
 #include <QtTest>
 
 #include "test_program.h"
@@ -116,8 +117,9 @@ class TestWindowRobot : public QObject {
   }
 
   void sortsAlertsByTheirWeightAndSaysSinceWhen() {
-    const QDateTime now(QDate(2026, 2, 3), QTime(12, 0), Qt::UTC);
-    const double today = double(QDateTime(QDate(2026, 2, 3), QTime(9, 8, 7), Qt::UTC).toSecsSinceEpoch());
+    const QDateTime now(QDate(2026, 2, 3), QTime(12, 0), QTimeZone::utc());
+    const double today =
+        double(QDateTime(QDate(2026, 2, 3), QTime(9, 8, 7), QTimeZone::utc()).toSecsSinceEpoch());
     const auto made = alertLines({{7, map::AlertLevel::Warning, "w", today},
                                   {8, map::AlertLevel::Error, "e", today - 86'400},
                                   {9, map::AlertLevel::None, "n", 0}},

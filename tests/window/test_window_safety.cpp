@@ -1,5 +1,6 @@
 // Dangers in the window: at once, everywhere, in colour, shape and words; and which map the robot is in.
 #include <QPushButton>
+#include <QTimeZone>
 #include <QtTest>
 
 #include "ink.h"
@@ -28,11 +29,11 @@ using test::kAddress;
 
 namespace {
 
-const QDateTime kNow(QDate(2026, 2, 3), QTime(14, 5), Qt::UTC);
+const QDateTime kNow(QDate(2026, 2, 3), QTime(14, 5), QTimeZone::utc());
 
 double at(int hour, int minute, int second, int days_ago = 0) {
-  return double(
-      QDateTime(kNow.date().addDays(-days_ago), QTime(hour, minute, second), Qt::UTC).toSecsSinceEpoch());
+  return double(QDateTime(kNow.date().addDays(-days_ago), QTime(hour, minute, second), QTimeZone::utc())
+                    .toSecsSinceEpoch());
 }
 
 map::SafetyCondition condition(map::SafetyKind kind, map::Severity severity, double since_s) {

@@ -221,12 +221,12 @@ void ReferenceController::onCurrentMapChanged() {
   current_map_ = now;
   const QString address = kept().value(QLatin1String("map")).toString();
   // What was laid before it was known where the robot is stays, unless something is remembered for here.
-  if (address.isEmpty() && !address_.isEmpty()) return remember();
+  if (address.isEmpty() && !address_.isEmpty()) return rememberForMap();
   onLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
   load(address);
 }
 
-void ReferenceController::remember() {
+void ReferenceController::rememberForMap() {
   if (current_map_.isEmpty()) return;
   QJsonObject all = kept();
   // How each map lay, so that it lies there again when it is chosen again.
@@ -290,7 +290,7 @@ void ReferenceController::lay(const QString& address, bool align) {
         reader_ = std::move(coming_);
         slot_.clear();
         showRead(std::move(*answer));
-        remember();
+        rememberForMap();
         if (align) this->align();
       });
   coming_call_.onProgress([this, number = coming_number_](robot::Progress progress) {
@@ -349,7 +349,7 @@ void ReferenceController::onLaid(const QJsonObject& laid) {
 
 void ReferenceController::removeMap() {
   load({});
-  remember();
+  rememberForMap();
 }
 
 void ReferenceController::load(const QString& address) {
@@ -439,7 +439,7 @@ void ReferenceController::show() {
 void ReferenceController::setLaid(Laid laid) {
   laid_ = std::move(laid);
   show();
-  remember();
+  rememberForMap();
 }
 
 void ReferenceController::change(const QString& what, Laid laid, int drag) {

@@ -129,7 +129,7 @@ class ReferenceController : public Controller {
   /// The robot and the map that it is on; empty = not known.
   QString currentMap() const;
   void onCurrentMapChanged();
-  void remember();
+  void rememberForMap();
   QJsonObject kept() const;  // what is remembered for this map
   void onLaid(const QJsonObject& laid);
   void showFailure(const map::Failure& failure);
