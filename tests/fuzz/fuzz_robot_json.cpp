@@ -66,7 +66,7 @@ void read(Input input) {
   // The tree reads all that is JSON; the other all that the tree reads, but for half surrogates and what is
   // no UTF-8.
   simdjson::dom::parser strict;
-  if (strict.parse(text).error() == simdjson::SUCCESS && !text.starts_with("\xEF\xBB\xBF")) MUST(kept);
+  if (strict.parse(text).error() == simdjson::SUCCESS) MUST(kept);
   if (kept && simdjson::validate_utf8(text) && text.find("\\u") == std::string::npos) MUST(read);
 }
 

@@ -98,6 +98,11 @@ class AxbotParseTest : public QObject {
     QCOMPARE(list.entries[0].pose.x, 1.25);
   }
 
+  void aByteOrderMarkInFrontIsPassedOver() {
+    const TextFrame read = parseTextFrame(std::string("\xEF\xBB\xBF") + kSeedList);
+    QVERIFY(read.message && std::holds_alternative<map::SubmapList>(*read.message));
+  }
+
   void rowsWithoutUsableIdsAreRejectedWithTheirPlace() {
     const map::SubmapList list = listOf(
         R"({"topic":"/submap_list","uuid":"u","submap":[{"trajectory_id":99999999999999999999,"submap_index":0,

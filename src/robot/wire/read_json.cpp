@@ -28,6 +28,7 @@ std::optional<double> numberIn(std::string_view text) {
 
 std::optional<Json> JsonReader::read(std::string_view utf8) {
   if (parser_.capacity() > kKept) parser_ = simdjson::dom::parser();
+  if (utf8.starts_with("\xEF\xBB\xBF")) utf8.remove_prefix(3);
   Json root;
   if (!parser_.parse(utf8.data(), utf8.size()).get(root)) return root;
   const std::string repaired = net::repairNumbers(utf8);

@@ -28,7 +28,8 @@ using Names = std::initializer_list<std::string_view>;
 class JsonReader {
  public:
   /// The parsed value of `utf8`, valid until the next read; nullopt if it is not JSON. Literal NaN and
-  /// Infinity (not JSON, but sent by robots) and numbers out of range count as null.
+  /// Infinity (not JSON, but sent by robots) and numbers out of range count as null. A byte order mark in
+  /// front is passed over, as RFC 8259 allows.
   std::optional<Json> read(std::string_view utf8);
   /// The same; integers of more than 15 digits become strings to keep all digits.
   std::optional<Json> readKeepingDigits(std::string_view utf8);
