@@ -6,16 +6,16 @@
 #include <QThread>
 
 namespace mapwright::ui {
-namespace {
 
-StallMeter::Time sinceStart() { return std::chrono::steady_clock::now().time_since_epoch(); }
+StallMeter::Time WatchedApplication::sinceStart() {
+  return std::chrono::steady_clock::now().time_since_epoch();
+}
 
-}  // namespace
-
-WatchedApplication::WatchedApplication(int& argc, char** argv) : QApplication(argc, argv) {
+WatchedApplication::WatchedApplication(int& argc, char** argv, Clock now)
+    : QApplication(argc, argv), now_(now) {
   const QAbstractEventDispatcher* const loop = eventDispatcher();
-  connect(loop, &QAbstractEventDispatcher::aboutToBlock, this, [this] { meter_.waits(sinceStart()); });
-  connect(loop, &QAbstractEventDispatcher::awake, this, [this] { meter_.wakes(sinceStart()); });
+  connect(loop, &QAbstractEventDispatcher::aboutToBlock, this, [this] { meter_.waits(now_()); });
+  connect(loop, &QAbstractEventDispatcher::awake, this, [this] { meter_.wakes(now_()); });
 }
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
@@ -23,9 +23,9 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (here != thread()) return QApplication::notify(receiver, event);
   // Asked before: the event may end the receiver.
   const Busy busy{receiver->metaObject()->className(), int(event->type())};
-  if (!meter_.begins(here->loopLevel(), sinceStart(), busy)) return QApplication::notify(receiver, event);
+  if (!meter_.begins(here->loopLevel(), now_(), busy)) return QApplication::notify(receiver, event);
   const bool handled = QApplication::notify(receiver, event);
-  meter_.ends(sinceStart());
+  meter_.ends(now_());
   return handled;
 }
 

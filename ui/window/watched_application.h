@@ -9,12 +9,15 @@ namespace mapwright::ui {
 
 class WatchedApplication : public QApplication {
  public:
-  WatchedApplication(int& argc, char** argv);
+  using Clock = StallMeter::Time (*)();
+  static StallMeter::Time sinceStart();
+  WatchedApplication(int& argc, char** argv, Clock now = sinceStart);
   bool notify(QObject* receiver, QEvent* event) override;
   /// nullptr where the application is another one.
   static const Stalls* stalls();
 
  private:
+  const Clock now_;
   StallMeter meter_;
 };
 
