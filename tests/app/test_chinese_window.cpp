@@ -174,8 +174,7 @@ class ChineseWindowTest : public QObject {
       if (!action->isEnabled()) continue;
       const auto before = seen.size();
       action->trigger();
-      QTRY_VERIFY2(seen.size() > before || !QApplication::activeModalWidget(), id);
-      QTest::qWait(30);
+      QTRY_VERIFY2(seen.size() > before, id);
     }
     QVERIFY2(seen.size() >= 6, qPrintable(QStringList(seen.begin(), seen.end()).join(QLatin1Char(' '))));
     QVERIFY2(words_seen > 30, qPrintable(QString::number(words_seen)));
