@@ -1,6 +1,7 @@
 // The labels of a scene, in pixels.
 #include <algorithm>
 #include <cstdlib>
+#include <malloc.h>
 #include <random>
 
 #include <QFontMetricsF>
@@ -14,6 +15,7 @@
 #include "session/session_options.h"
 #include "test_program.h"
 #include "ui/scene/drawing.h"
+#include "ui/scene/label_ink.h"
 #include "ui/scene/map_scene.h"
 
 namespace test_labels {
@@ -218,6 +220,26 @@ class LabelsTest : public QObject {
     used->setView(view);
     QVERIFY(painted(*used) == painted(*fresh));
     QVERIFY(painted(*used) == painted(*used));
+  }
+
+  void keptLabelsHoldLittleMoreThanTheirPixels() {
+    constexpr int kMany = 400;
+    const auto heap = [] { return mallinfo2().uordblks; };
+    if (heap() == 0) QSKIP("this allocator does not say how much is in use");
+    const ui::scene::MapTheme theme = ui::scene::lightMapTheme();
+    QImage screen(400, 50, QImage::Format_ARGB32_Premultiplied);
+    QPainter painter(&screen);
+    ui::scene::LabelInk ink;
+    const auto draw = [&](int i) {
+      ink.draw(painter, {10, 10}, QString::number(1000 + i), theme, Qt::darkBlue);
+    };
+    draw(0);  // the letters
+    const std::size_t before = heap();
+    for (int i = 1; i <= kMany; ++i) draw(i);
+    const QSizeF size = ink.sizeOf(QStringLiteral("1000"), theme) + QSizeF(5, 5);
+    const double pixels = size.width() * size.height() * 4, each = double(heap() - before) / kMany;
+    QVERIFY2(each > pixels / 2, "they are kept");
+    QVERIFY2(each < 2 * pixels + 1000, qPrintable(QString::number(each)));
   }
 };
 

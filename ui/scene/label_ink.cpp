@@ -33,23 +33,22 @@ void LabelInk::draw(QPainter& painter, const QPointF& top_left, const QString& t
   const QImage* image = images_.object(key);
   if (!image) {
     const QSizeF size = sizeOf(text, theme) + QSizeF(2 * kHaloPx, 2 * kHaloPx);
-    auto* const made = new QImage((size * ratio).toSize() + QSize(1, 1), QImage::Format_ARGB32_Premultiplied);
-    if (made->isNull()) {
-      delete made;
-      return;
-    }
-    made->setDevicePixelRatio(ratio);
-    made->fill(Qt::transparent);
-    QPainter on_image(made);
+    QImage drawn((size * ratio).toSize() + QSize(1, 1), QImage::Format_ARGB32_Premultiplied);
+    if (drawn.isNull()) return;
+    drawn.setDevicePixelRatio(ratio);
+    drawn.fill(Qt::transparent);
+    QPainter on_image(&drawn);
     drawLabel(on_image, {kHaloPx, kHaloPx + QFontMetricsF(theme.label_font).ascent()}, text, theme, color,
               struck_through);
     on_image.end();
     // One that is larger than the whole cache would be gone at once.
-    if (made->sizeInBytes() > images_.maxCost()) {
-      painter.drawImage(top_left - QPointF(kHaloPx, kHaloPx), *made);
-      delete made;
+    if (drawn.sizeInBytes() > images_.maxCost()) {
+      painter.drawImage(top_left - QPointF(kHaloPx, kHaloPx), drawn);
       return;
     }
+    // A picture that was painted on holds what Qt painted it with, outlines and all: many times its pixels. A
+    // copy does not.
+    auto* const made = new QImage(drawn.copy());
     images_.insert(key, made, made->sizeInBytes());
     image = made;
   }
