@@ -29,6 +29,7 @@
 #include "app/settings_file.h"
 #include "app/snapshot.h"
 #include "app/unknown_word.h"
+#include "app/wrong_words.h"
 #include "disk/private_folder.h"
 #include "keyring/key_ring.h"
 #include "replay/replay_robot.h"
@@ -178,6 +179,7 @@ int runCommand(int argc, char** argv) {
   if (!given) return refuse(kUsage, given.error());
   const LanguageGiven language = *given;
   if (language) startSpeaking(*language);
+  if (const auto why = notUtf8Reason(argc, argv)) return refuse(kUsage, *why);
   std::string robot, demo_query, operand, language_typed;
   LogArguments log;
   bool version = false, version_json = false;
@@ -230,9 +232,9 @@ int runCommand(int argc, char** argv) {
     if (error.get_exit_code() == 0) return cli.exit(error);
     // A word that is not known may be the reason why another one is missing.
     if (const auto why = sentenceOnUnknownWord(cli)) return refuse(kUsage, *why);
-    const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
-    return refuse(kUsage, Text::tr("%1 (see %2 --help)").arg(why, parsedCommand(cli)));
+    return refuse(kUsage, Text::tr("%1 (see %2 --help)").arg(sentenceOf(error), parsedCommand(cli)));
   }
+  if (const auto why = noEffectReason(cli)) return refuse(kUsage, *why);
   if (version) {
     if (version_json)
       printJson(ui::versionJson());

@@ -8,13 +8,14 @@
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include "app/command_text.h"
 #include "app/report.h"
 #include "app/robot_factory.h"
 #include "app/suite_quality.h"
+#include "app/wrong_words.h"
 #include "replay/replay_robot.h"
-#include "words/qt_plain.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -89,18 +90,18 @@ tl::expected<SnapshotOptions, QString> snapshotOptionsOf(const suite::View& view
     typed.push_back("--" + option.name + (option.is_switch ? std::string() : "=" + option.value));
   std::reverse(typed.begin(), typed.end());  // as CLI11 takes them
   const auto wrong_view = [&view](const QString& sentence) {
+    static const QRegularExpression option_named(QStringLiteral("--([a-z-]*[a-z])"));
+    const QString first = option_named.match(sentence).captured(1);
     suite::Position at = view.at;
     for (const suite::ViewOption& option : view.options) {
-      const QString name = QStringLiteral("--") + text(option.name);
-      if (sentence.startsWith(name + QLatin1Char(' ')) || sentence.startsWith(name + QLatin1Char(':')))
-        at = option.at;
+      if (text(option.name) == first) at = option.at;
     }
     return tl::make_unexpected(suite::atPosition(at, QStringLiteral("%1: %2").arg(view.name, sentence)));
   };
   try {
     parser.cli.parse(std::move(typed));
   } catch (const CLI::ParseError& error) {
-    return wrong_view(QString::fromStdString(words::plainLine(std::string_view(error.what()))));
+    return wrong_view(sentenceOf(error));
   }
   SnapshotArguments& args = parser.args;
   if (!args.robot.empty()) args.robot = placed(text(args.robot), folder).toStdString();

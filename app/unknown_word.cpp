@@ -6,18 +6,12 @@
 #include <QStringList>
 
 #include "app/command_text.h"
+#include "words/listed.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
-
-/// `program` and the subcommands that were parsed, outermost first.
-std::vector<const CLI::App*> parsedChain(const CLI::App& program) {
-  std::vector<const CLI::App*> chain{&program};
-  while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
-  return chain;
-}
 
 /// Damerau-Levenshtein: exchanging two neighbours is one step.
 std::size_t stepsBetween(const std::string& a, const std::string& b) {
@@ -62,6 +56,12 @@ QString calledAs(const std::vector<const CLI::App*>& chain, std::size_t from) {
 
 }  // namespace
 
+std::vector<const CLI::App*> parsedChain(const CLI::App& program) {
+  std::vector<const CLI::App*> chain{&program};
+  while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
+  return chain;
+}
+
 std::optional<std::string> nearestOf(const std::string& word, const std::vector<std::string>& known) {
   std::optional<std::string> nearest;
   std::size_t fewest = (word.size() + 2) / 3 + 1;
@@ -105,7 +105,7 @@ std::optional<QString> sentenceOnUnknownWord(const CLI::App& program) {
   if (chain.size() > 1 && !subcommandsOf(*chain.back()).empty()) {
     QStringList known;
     for (const std::string& each : subcommandsOf(*chain.back())) known << QString::fromStdString(each);
-    return Text::tr("%1 needs a subcommand: %2.").arg(calledAs(chain, 1), known.join(QLatin1String(", ")));
+    return Text::tr("%1 needs a subcommand: %2.").arg(calledAs(chain, 1), words::listed(known));
   }
   return std::nullopt;
 }

@@ -24,6 +24,8 @@ std::vector<std::string> subcommandsOf(const CLI::App& command);
 /// about a subcommand that is missing; nullopt = neither is the cause.
 std::optional<QString> sentenceOnUnknownWord(const CLI::App& program);
 
+/// `program` and the subcommands that were parsed, outermost first.
+std::vector<const CLI::App*> parsedChain(const CLI::App& program);
 /// "mapwright overlays get": the command that was parsed last, as it was called.
 QString parsedCommand(const CLI::App& program);
 

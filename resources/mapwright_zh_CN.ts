@@ -4251,10 +4251,6 @@
         <translation>删除路径点后无法撤销。要删除，请使用 --yes。</translation>
     </message>
     <message>
-        <source>Waypoint %1</source>
-        <translation>路径点 %1</translation>
-    </message>
-    <message>
         <source>%1 was made for the map %2 of %3. Pass --force to apply it to the map %4 of %5.</source>
         <translation>%1 是为 %3 的地图 %2 制作的。要应用到 %5 的地图 %4，请使用 --force。</translation>
     </message>
@@ -4501,6 +4497,70 @@
     <message>
         <source>There is no folder for temporary files: %1. Set TMPDIR, or pass --report.</source>
         <translation>没有存放临时文件的文件夹：%1。请设置 TMPDIR，或使用 --report。</translation>
+    </message>
+    <message>
+        <source>%1 is required</source>
+        <translation>缺少 %1</translation>
+    </message>
+    <message>
+        <source>%1 needs a value</source>
+        <translation>%1 需要一个值</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 需要 %2</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once</source>
+        <translation>%1 给出了不止一次</translation>
+    </message>
+    <message>
+        <source>%1 is given %2 values: at most %3</source>
+        <translation>%1 给出了 %2 个值：最多 %3 个</translation>
+    </message>
+    <message>
+        <source>%1 is given %2 values: at least %3</source>
+        <translation>%1 给出了 %2 个值：至少 %3 个</translation>
+    </message>
+    <message>
+        <source>%1 goes only with %2</source>
+        <translation>%1 只能与 %2 一起使用</translation>
+    </message>
+    <message>
+        <source>%1 does not go with %2</source>
+        <translation>%1 不能与 %2 一起使用</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number that fits</source>
+        <translation>%1：%2 不是合适的数字</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not between %3 and %4</source>
+        <translation>%1：%2 不在 %3 到 %4 之间</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a number</source>
+        <translation>%1：“%2”不是数字</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not one of %3</source>
+        <translation>%1：%2 不是以下之一：%3</translation>
+    </message>
+    <message>
+        <source>%1 is not in UTF-8, and a file of that name cannot be opened. Rename it, for example with convmv.</source>
+        <translation>%1 不是 UTF-8 编码，无法打开这个名称的文件。请将它重命名，例如使用 convmv。</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once.</source>
+        <translation>%1 给出了不止一次。</translation>
+    </message>
+    <message>
+        <source>%1 has no effect beside --version, which only prints the version.</source>
+        <translation>%1 与 --version 一起使用时不起作用，后者只输出版本。</translation>
+    </message>
+    <message>
+        <source>--log-file needs the name of a file. Without it, --log all writes to standard error.</source>
+        <translation>--log-file 需要一个文件名。不用它时，--log all 会写到标准错误。</translation>
     </message>
 </context>
 <context>
@@ -7273,6 +7333,24 @@
     </message>
 </context>
 <context>
+    <name>Punctuation</name>
+    <message>
+        <source>, </source>
+        <comment>between the words of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between clauses</comment>
+        <translation>；</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a subject, and what is said of it</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>QAbstractFileIconProvider</name>
     <message>
         <source>Drive</source>
@@ -9410,10 +9488,6 @@ Do you want to delete it anyway?</source>
         <translation>坐标不是两个数字。</translation>
     </message>
     <message>
-        <source>Node %1</source>
-        <translation>节点 %1</translation>
-    </message>
-    <message>
         <source>Its coordinates (crs %1) were read as metres of the map.</source>
         <translation>其坐标 (crs %1) 已按地图的米读取。</translation>
     </message>
@@ -9599,6 +9673,10 @@ Do you want to delete it anyway?</source>
     <message>
         <source>Change %1: %2</source>
         <translation>更改 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1（%2）。</translation>
     </message>
 </context>
 <context>
@@ -13950,10 +14028,6 @@ Expected at %2</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Waypoint %1</source>
-        <translation>路径点 %1</translation>
-    </message>
-    <message>
         <source>Nothing changes: these waypoints are already here.</source>
         <translation>没有改变：这些路径点已在这里。</translation>
     </message>
@@ -14690,10 +14764,6 @@ the others colour by trajectory, by age and by version (the legend says how)</so
     <message>
         <source>Distance between two waypoints</source>
         <translation>两个路径点之间的距离</translation>
-    </message>
-    <message>
-        <source>Waypoint </source>
-        <translation>路径点 </translation>
     </message>
     <message>
         <source>Create</source>
@@ -18993,10 +19063,6 @@ Theirs: %6</source>
         <translation>播放</translation>
     </message>
     <message>
-        <source>Recorded to %1, but it is incomplete: %2</source>
-        <translation>已录制到 %1，但不完整：%2</translation>
-    </message>
-    <message>
         <source>Recorded to %1</source>
         <translation>已录制到 %1</translation>
     </message>
@@ -19047,6 +19113,10 @@ Theirs: %6</source>
     <message>
         <source>Recording to the file continues.</source>
         <translation>录制到文件继续进行。</translation>
+    </message>
+    <message>
+        <source>Recorded to %1, but it is incomplete: %2.</source>
+        <translation>已录制到 %1，但不完整：%2。</translation>
     </message>
 </context>
 <context>
@@ -21423,10 +21493,6 @@ Theirs: %6</source>
         <translation>添加 %1</translation>
     </message>
     <message>
-        <source>Waypoint %1</source>
-        <translation>路径点 %1</translation>
-    </message>
-    <message>
         <source>rename %1</source>
         <translation>重命名 %1</translation>
     </message>
@@ -21806,10 +21872,6 @@ Theirs: %6</source>
     <message>
         <source>Nothing was carried over. %1</source>
         <translation>没有迁移任何内容。%1</translation>
-    </message>
-    <message>
-        <source>Waypoint %1</source>
-        <translation>路径点 %1</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
@@ -23883,22 +23945,6 @@ Theirs: %6</source>
         <translation> （第 %1 次）</translation>
     </message>
     <message>
-        <source>reconnecting%1%2</source>
-        <translation>正在重新连接%1%2</translation>
-    </message>
-    <message>
-        <source>reconnecting now%1%2</source>
-        <translation>现在重新连接%1%2</translation>
-    </message>
-    <message>
-        <source>reconnecting in %1 s%2%3</source>
-        <translation>%1 s 后重新连接%2%3</translation>
-    </message>
-    <message>
-        <source>refused%1</source>
-        <translation>被拒绝%1</translation>
-    </message>
-    <message>
         <source>no submaps</source>
         <translation>没有子图</translation>
     </message>
@@ -24783,6 +24829,18 @@ Qt %2，编译时为 %3</translation>
     <message>
         <source>Left out: addresses and names of robots (robot-1, robot-2 …), secrets, home folders, the names of user and computer. Names of maps, files and topics are in it, and names of one or two letters.</source>
         <translation>已略去：机器人的地址和名称 (robot-1、robot-2…)、密钥、主文件夹、用户名和计算机名。地图、文件和话题的名称仍在其中，一两个字母的名称也是。</translation>
+    </message>
+    <message>
+        <source>reconnecting%1</source>
+        <translation>正在重新连接%1</translation>
+    </message>
+    <message>
+        <source>reconnecting now%1</source>
+        <translation>现在重新连接%1</translation>
+    </message>
+    <message>
+        <source>reconnecting in %1 s%2</source>
+        <translation>%1 s 后重新连接%2</translation>
     </message>
 </context>
 <context>

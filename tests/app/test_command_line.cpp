@@ -141,6 +141,30 @@ class CommandLineTest : public QObject {
     row("play nosuch.mcap", "nosuch.mcap: there is no such file.");
     row("nosuch.bag", "nosuch.bag: there is no such file.");
     row("snapshot", "--output is required (see mapwright snapshot --help)");
+    row("snapshot -o", "--output needs a value (see mapwright snapshot --help)");
+    row("snapshot --robot demo: -o p.png --slice 1.5",
+        "--slice: 1.5 is not a number that fits (see mapwright snapshot --help)");
+    row("simulate --points many", "--points: \"many\" is not a number (see mapwright simulate --help)");
+    row("simulate --port 70000", "--port: 70000 is not between 0 and 65535 (see mapwright simulate --help)");
+    row("maps list --secret-file-for demo:",
+        "--secret-file-for needs ADDRESS FILE (see mapwright maps list --help)");
+    row("slam constraints --kind x",
+        "--kind: x is not one of inter, intra, all (see mapwright slam constraints --help)");
+    row("--json", "--json goes only with --version (see mapwright --help)");
+    row("maps list -o x.png -o y.png", "-o: no such option of maps list.");
+    row("maps list --robot demo: --robot demo:",
+        "--robot is given more than once (see mapwright maps list --help)");
+    // What every command has may stand before it and behind it.
+    row("--log-file a.log maps list --log-file b.log --robot demo:", "--log-file is given more than once.");
+    row("--log net maps list --log all --robot demo:", "--log is given more than once.");
+    row("--language en maps list --language system --robot demo:", "--language is given more than once.");
+    row("--version --log-file a.log",
+        "--log-file has no effect beside --version, which only prints the version.");
+    row("--version maps list", "maps has no effect beside --version, which only prints the version.");
+    row("maps list --robot demo: --log-file -",
+        "--log-file needs the name of a file. Without it, --log all writes to standard error.");
+    row("snapshot --robot demo: -o x.png --log-file ./x.png",
+        "x.png and ./x.png are the same file. Choose two different ones.");
   }
   void aWrongWordIsNamedWithTheNearestRightOne() {
     QFETCH(QString, line);
@@ -149,6 +173,23 @@ class CommandLineTest : public QObject {
     QCOMPARE(outcome.err, sentence + QLatin1Char('\n'));
     QCOMPARE(outcome.code, 2);
     QVERIFY(outcome.out.isEmpty());
+    QVERIFY2(!QFile::exists(at("a.log")) && !QFile::exists(at("b.log")), "nothing is begun");
+  }
+
+  void aNameThatIsNotUtf8IsSaid() {
+    QProcess shell;
+    shell.setProcessEnvironment(program_.environment());
+    shell.setWorkingDirectory(program_.folder());
+    shell.start(
+        QStringLiteral("bash"),
+        {QStringLiteral("-c"), QStringLiteral("touch $'caf\\xe9.mcap'; \"$0\" bags info $'caf\\xe9.mcap'"),
+         QStringLiteral(MAPWRIGHT_PROGRAM)});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(
+        QString::fromUtf8(shell.readAllStandardError()),
+        QStringLiteral("caf\uFFFD.mcap is not in UTF-8, and a file of that name cannot be opened. Rename it, "
+                       "for example with convmv.\n"));
+    QCOMPARE(shell.exitCode(), 2);
   }
 
   void aCommandWithoutItsSubcommandListsThem() {

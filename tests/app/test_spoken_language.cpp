@@ -65,6 +65,8 @@ class SpokenLanguageTest : public QObject {
   void errorsAreTranslatedBeforeAndWhileTheCommandRuns() {
     for (const char* line :
          {"maps list --language zh_CN", "snapshot --robot demo: -o p.tiff --language zh_CN",
+          "snapshot --language zh_CN", "snapshot --robot demo: -o --language zh_CN",
+          "--language zh_CN slam constraints --kind x", "simulate --port 70000 --language zh_CN",
           "maps show nothing --robot demo: --language zh_CN", "probe --language zh_CN --timeout -1 demo"}) {
       const Ended ended = run(line);
       QVERIFY(ended.code != 0);
@@ -82,6 +84,19 @@ class SpokenLanguageTest : public QObject {
                qPrintable(ended.out + ended.err));
     }
     QVERIFY(run("--language klingon").err.contains(QStringLiteral("en, zh_CN and system")));
+  }
+
+  void namesThatAreStoredAreInNoLanguage() {
+    program_.put("map.pgm", "P5\n2 2\n255\n\xff\xff\xff\xff");
+    program_.put("map.yaml",
+                 "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                 "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    program_.put("places.csv", "x,y\n1,2\n3,4\n");
+    const Ended in = run("waypoints import places.csv --robot map.yaml --language zh_CN");
+    QVERIFY2(in.code == 0, qPrintable(in.err));
+    QVERIFY2(isChinese(in.out + in.err), qPrintable(in.out + in.err));
+    const Ended list = run("waypoints list --robot map.yaml --json");
+    QVERIFY2(list.out.contains(QLatin1String("Waypoint 1")) && !isChinese(list.out), qPrintable(list.out));
   }
 
   void membersOfJsonStayAsTheyAre() {
