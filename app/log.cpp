@@ -2,20 +2,21 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <mutex>
-#include <set>
 
 #include <CLI/CLI.hpp>
-#include <QJsonArray>
-#include <QJsonDocument>
 #include <QRegularExpression>
+#include <QUrl>
 
 #include "app/command_text.h"
 #include "app/commands.h"
 #include "app/log_file.h"
 #include "app/output.h"
-#include "net/plain_sentences.h"
-#include "words/plain.h"
+#include "net/log.h"
+#include "robot/wire/unsaid.h"
+#include "words/listed.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
@@ -29,25 +30,27 @@ const QStringList kParts = {QStringLiteral("app"),       QStringLiteral("net"), 
 /// threads may still write when the program ends.
 struct Hidden {
   std::mutex mutex;
-  std::set<std::string> secrets;
-  const QRegularExpression mac{QStringLiteral("[0-9A-Fa-f]{128}")};
+  std::map<QByteArray, robot::wire::Unsaid> secrets{{QByteArray(), {}}};  // also without one: what proves it
+  /// An address with more in it than a host and a path.
+  const QRegularExpression address{
+      QStringLiteral("[A-Za-z][A-Za-z0-9+.-]*://[^\\s\"'<>]*[?@#][^\\s\"'<>]*"
+                     "[^\\s\"'<>:,;.)]")};
 };
 Hidden& hidden() {
   static Hidden* const all = new Hidden;
   return *all;
 }
 
-std::string withoutSecrets(std::string line) {
-  constexpr const char* kInstead = "***";
-  // What rosauth proves the secret with (SHA-512), should a server repeat it.
-  QString text = QString::fromStdString(line);
-  if (text.size() >= 128 && text.contains(hidden().mac))
-    line = text.replace(hidden().mac, QLatin1String(kInstead)).toStdString();
-  const std::lock_guard lock(hidden().mutex);
-  for (const std::string& secret : hidden().secrets) {
-    for (auto at = line.find(secret); at != std::string::npos; at = line.find(secret, at + 3))
-      line.replace(at, secret.size(), kInstead);
+QString withoutSecrets(QString line) {
+  qsizetype at = 0;
+  for (auto match = hidden().address.match(line); match.hasMatch();
+       match = hidden().address.match(line, at)) {
+    const QString shown = net::urlForLog(QUrl(match.captured()));
+    line.replace(match.capturedStart(), match.capturedLength(), shown);
+    at = match.capturedStart() + shown.size();
   }
+  const std::lock_guard lock(hidden().mutex);
+  for (const auto& [typed, secret] : hidden().secrets) secret.hideIn(line);
   return line;
 }
 
@@ -57,8 +60,7 @@ void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& messa
 }
 
 std::string lineOf(QtMsgType type, const QMessageLogContext& context, const QString& message) {
-  return words::plainLine(
-      std::string_view(withoutSecrets(qFormatLogMessage(type, context, message).toStdString())));
+  return words::plainLine(withoutSecrets(qFormatLogMessage(type, context, message))).toStdString();
 }
 
 void writeLine(QtMsgType type, const QMessageLogContext& context, const QString& message) {
@@ -119,7 +121,7 @@ tl::expected<QString, QString> logRules(const QString& typed) {
       return tl::make_unexpected(
           Text::tr("\"%1\" is no rule for the log. Give all, some of %2, or rules such as "
                    "mapwright.net.debug=true.")
-              .arg(rule, kParts.join(QLatin1String(", "))));
+              .arg(rule, words::listed(kParts)));
     }
     // "net=false" behind "all".
     rules << (kParts.contains(category) ? QStringLiteral("mapwright.") + rule : rule);
@@ -160,17 +162,7 @@ tl::expected<void, QString> startLog(const LogArguments& given) {
 void hideInLog(const QByteArray& secret) {
   if (secret.isEmpty()) return;
   const std::lock_guard lock(hidden().mutex);
-  std::set<std::string>& secrets = hidden().secrets;
-  secrets.insert(secret.toStdString());
-  // As servers repeat it: in an address, and in JSON with / as it is and as \/.
-  secrets.insert(secret.toPercentEncoding().toStdString());
-  const QByteArray json = QJsonDocument(QJsonArray{QString::fromUtf8(secret)}).toJson(QJsonDocument::Compact);
-  QByteArray quoted = json.mid(2, json.size() - 4);
-  secrets.insert(quoted.toStdString());
-  secrets.insert(quoted.replace('/', "\\/").toStdString());
-  // As robots' words are shown.
-  if (const QString shown = net::plainText(QString::fromUtf8(secret)); !shown.isEmpty())
-    secrets.insert(shown.toStdString());
+  hidden().secrets.try_emplace(secret, secret, 1);
 }
 
 }  // namespace mapwright::app

@@ -241,6 +241,16 @@ class LogTest : public QObject {
     QVERIFY(!program_.bytes("shared").contains("nothing"));
   }
 
+  void valuesInAnAddressAreNotInTheLog() {
+    const Outcome outcome =
+        run(QStringLiteral("maps list --robot rep130+ws://127.0.0.1:1?ns=/hush&get_map=/tok-en --log all"));
+    QCOMPARE(outcome.code, 3);
+    QVERIFY2(outcome.err.contains("robot rep130+ws://127.0.0.1:1?ns=…&get_map=…, secret: none"),
+             outcome.err.constData());
+    QVERIFY2(!outcome.err.contains("mapwright.app: robot rep130+ws://127.0.0.1:1?ns=/hush"),
+             outcome.err.constData());
+  }
+
   void aSecretIsNeverInTheLog_data() {
     QTest::addColumn<QString>("line");
     QTest::addColumn<bool>("in_environment");

@@ -19,10 +19,11 @@ using robot::testing::ScriptedRobot;
 
 namespace {
 
-const QByteArray kSecret = "hush-hush <7>";
+const QByteArray kSecret = "hush/\"hush\" <7>";
 
 QList<QByteArray> formsOfSecret() {
-  return {kSecret, kSecret.toBase64(), kSecret.toPercentEncoding(), kSecret.toHex()};
+  return {kSecret,         kSecret.toBase64(),      kSecret.toPercentEncoding(),
+          kSecret.toHex(), "hush/\\\"hush\\\" <7>", "hush\\/\\\"hush\\\" <7>"};
 }
 
 }  // namespace

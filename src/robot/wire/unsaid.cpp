@@ -3,19 +3,27 @@
 #include <algorithm>
 #include <cctype>
 
+#include <QJsonArray>
+#include <QJsonDocument>
+
 #include "net/plain_sentences.h"
 #include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::wire {
 namespace {
 
-constexpr std::size_t kShortestSecret = 4;
 constexpr std::size_t kMacDigits = 65;  // a SHA-512 has 128, and may be cut off
 constexpr const char* kInstead = "***";
 
 void replaceAll(std::string& words, const std::string& form) {
   for (auto at = words.find(form); at != std::string::npos; at = words.find(form, at + 3))
     words.replace(at, form.size(), kInstead);
+}
+
+/// As JSON has it between its quotes.
+QByteArray inJson(const QByteArray& secret) {
+  const QByteArray json = QJsonDocument(QJsonArray{QString::fromUtf8(secret)}).toJson(QJsonDocument::Compact);
+  return json.mid(2, json.size() - 4);
 }
 
 void replaceMacs(std::string& words) {
@@ -35,12 +43,14 @@ void replaceMacs(std::string& words) {
 
 }  // namespace
 
-Unsaid::Unsaid(const QByteArray& secret) {
-  if (std::size_t(secret.size()) < kShortestSecret) return;
-  for (const QByteArray& form : {secret, secret.toPercentEncoding(), secret.toBase64(),
-                                 secret.toBase64(QByteArray::OmitTrailingEquals), secret.toHex(),
-                                 net::plainText(QString::fromUtf8(secret)).toUtf8()}) {
-    if (std::size_t(form.size()) >= kShortestSecret) forms_.push_back(form.toStdString());
+Unsaid::Unsaid(const QByteArray& secret, std::size_t shortest) {
+  if (secret.isEmpty() || std::size_t(secret.size()) < shortest) return;
+  const QByteArray quoted = inJson(secret);
+  for (const QByteArray& form :
+       {secret, secret.toPercentEncoding(), secret.toBase64(),
+        secret.toBase64(QByteArray::OmitTrailingEquals), secret.toHex(), quoted,
+        QByteArray(quoted).replace('/', "\\/"), net::plainText(QString::fromUtf8(secret)).toUtf8()}) {
+    if (!form.isEmpty() && std::size_t(form.size()) >= shortest) forms_.push_back(form.toStdString());
   }
   // One form may begin with another.
   std::sort(forms_.begin(), forms_.end(),

@@ -16,9 +16,10 @@ namespace mapwright::robot::wire {
 class Unsaid {
  public:
   Unsaid() = default;
-  explicit Unsaid(const QByteArray& secret);
+  /// Shorter secrets stay: they are part of other words.
+  explicit Unsaid(const QByteArray& secret, std::size_t shortest = 4);
 
-  /// Puts "***" in its place. Secrets of less than four characters stay: they are part of other words.
+  /// Puts "***" in its place.
   void hideIn(std::string& words) const;
   void hideIn(QString& words) const;
   void hideIn(QByteArray& utf8) const;
@@ -36,7 +37,8 @@ class Unsaid {
   }
 
  private:
-  std::vector<std::string> forms_;  // as it is, in addresses, as base64, as texts of robots are shown
+  std::vector<std::string>
+      forms_;  // as it is, in addresses, in JSON, as base64, as texts of robots are shown
 };
 
 /// Of a RobotLink; nothing for other objects.
