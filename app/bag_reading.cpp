@@ -15,6 +15,7 @@
 #include "map/failure.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -30,13 +31,11 @@ using words::text;
 }  // namespace
 
 tl::unexpected<CommandFailure> BagReading::failure(const map::Failure& failed) const {
-  // An unreadable file is not a robot that answers with an error.
-  const int code = robot_->local() ? int(kUsage) : int(exitCodeOf(failed));
+  const int code = robot_->exitCodeHere(failed);
   if (failed.subject.kind != map::SubjectKind::Bag || failed.subject.id.empty())
     return robot_->failure(code, QString::fromStdString(sentences::sentenceOf(failed)));
-  return robot_->failure(code,
-                         QStringLiteral("%1: %2").arg(sentences::nameOf(failed.subject),
-                                                      QString::fromStdString(sentences::sentenceOf(failed))));
+  return robot_->failure(code, words::about(sentences::nameOf(failed.subject),
+                                            QString::fromStdString(sentences::sentenceOf(failed))));
 }
 
 void addTime(CLI::App& command, const std::string& name, std::string& word, Needed needed) {

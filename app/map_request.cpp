@@ -225,7 +225,7 @@ void MapRequest::chooseInsteadOfLive() {
 bool MapRequest::catalogueIn() {
   session::Catalogue& catalogue = session_.catalogue();
   if (!catalogue.offered()) {
-    fail(kRobotError,
+    fail(local() ? kUsage : kRobotError,
          sentences::absenceReason(robot::Capability::Catalogue,
                                   session_.robot().unavailableReason(robot::Capability::Catalogue)));
     return false;

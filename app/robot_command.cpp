@@ -120,8 +120,15 @@ tl::unexpected<CommandFailure> RobotReading::failure(int exit_code, const QStrin
   return tl::make_unexpected(CommandFailure{exit_code, about(sentence)});
 }
 
+int RobotReading::exitCodeHere(const map::Failure& failed) const {
+  // Files do not answer: they cannot be read or written.
+  const bool of_file =
+      local() && failed.kind != map::FailureKind::Conflict && failed.kind != map::FailureKind::TimedOut;
+  return of_file ? int(kUsage) : int(exitCodeOf(failed));
+}
+
 tl::unexpected<CommandFailure> RobotReading::failure(const map::Failure& failed) const {
-  return failure(exitCodeOf(failed), QString::fromStdString(sentences::sentenceOf(failed)));
+  return failure(exitCodeHere(failed), QString::fromStdString(sentences::sentenceOf(failed)));
 }
 
 void RobotReading::giveUp(const robot::Call& call, const std::function<bool()>& over) const {

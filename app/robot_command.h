@@ -78,6 +78,8 @@ class RobotReading {
   /// A sentence about this robot, and its exit code.
   tl::unexpected<CommandFailure> failure(int exit_code, const QString& sentence) const;
   tl::unexpected<CommandFailure> failure(const map::Failure& failed) const;
+  /// Of what failed here: a file that cannot be read or written is wrong usage.
+  int exitCodeHere(const map::Failure& failed) const;
   /// Waits until the robot has told whether it has it.
   void await(robot::Capability capability);
   /// The failure for a capability that the robot lacks.

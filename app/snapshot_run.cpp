@@ -26,6 +26,7 @@
 #include "session/submaps_complete.h"
 #include "submap/submap_store.h"
 #include "ui/view/track_of_bag.h"
+#include "words/listed.h"
 
 namespace mapwright::app {
 namespace {
@@ -87,7 +88,7 @@ QStringList robotNotes(const ui::scene::MapScene& scene, const session::Session&
   }
   if (of_robot.isEmpty() || !scene.session()->robot().liveTopics()) return {};
   const ui::scene::RobotPlace& place = scene.robotPlace();
-  const QString names = of_robot.join(QStringLiteral(", "));
+  const QString names = words::listed(of_robot);
   if (place.drawn == ui::scene::ScreenPart::None)
     return {
         Text::tr("The robot is not in this map. Left out: %1. Pass --robot-anyway to draw them.").arg(names)};
@@ -299,7 +300,8 @@ bool SnapshotRun::recalled() {
   }
   if (const auto failure = recall_->failure()) {
     const QString sentence = QString::fromStdString(sentences::sentenceOf(*failure));
-    fail(exitCodeOf(failure->kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
+    fail(isLocal() ? kUsage : exitCodeOf(failure->kind),
+         QStringLiteral("%1: %2").arg(options_.robot, sentence));
     return false;
   }
   if (recall_->in()) {
@@ -739,7 +741,7 @@ void SnapshotRun::checkChosenTopics() {
   if (!of || !of->offered()) return;
   for (const auto& [stream, topic] : options_.topics) {
     if (of->choicesFor(stream).contains(topic)) continue;
-    QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
+    QString fitting = words::listed(of->choicesFor(stream));
     if (fitting.isEmpty()) fitting = Text::tr("none");
     notes_ << Text::tr("Topic %1 does not exist or its type does not fit the layer. Topics that fit: %2.")
                   .arg(topic, fitting);

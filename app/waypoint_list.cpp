@@ -19,6 +19,7 @@
 #include "sentences/placing_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -49,7 +50,7 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
   QStringList ids;
   for (std::size_t i = 0; i < points.size() && i < kMost; ++i) ids << words::plainName(points[i]->id);
   if (points.size() > kMost) ids << QStringLiteral("…");
-  return ids.join(QStringLiteral(", "));
+  return words::listed(ids);
 }
 
 QString nameLeft(const exchange::TemporaryName& left) {
@@ -131,14 +132,6 @@ std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
   return std::move(fitted.edits);
 }
 
-tl::unexpected<CommandFailure> ListedWaypoints::failure(const map::Failure& failed) const {
-  const auto failure = robot->failure(failed);
-  // Files do not answer: they cannot be read or written.
-  const bool of_file = robot->local() && failed.kind != map::FailureKind::Conflict &&
-                       failed.kind != map::FailureKind::TimedOut;
-  return of_file ? wrong(failure.value().sentence) : failure;
-}
-
 CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::string& map, Use use) {
   const auto opened = command.open();
   if (!opened) return passOn(opened);
@@ -156,12 +149,11 @@ CommandResult<ListedWaypoints> listWaypoints(RobotReading& reading, const std::s
   if (!key) return passOn(key);
   list.map = *key;
   auto stored = readAll(list, robot.waypointSource());
-  if (!stored) return list.failure(stored.error());
+  if (!stored) return list.robot->failure(stored.error());
   list.stored = std::move(*stored);
   if (use == Use::Changing) reading.warnOfUnconfirmed(robot::Capability::WaypointEditing);
   for (const Fault& note : list.stored.notes)
-    reading.addRemark(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
-                                                   sentences::sentenceOf(note)));
+    reading.addRemark(words::about(sentences::nameOf(map::placesOf(list.map)), sentences::sentenceOf(note)));
   if (use == Use::Reading) {
     for (const auto& left : exchange::temporaryNamesIn(exchange::itemsOf(list.stored.points)))
       reading.addRemark(nameLeft(left));

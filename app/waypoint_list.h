@@ -45,8 +45,6 @@ struct ListedWaypoints {
   robot::WaypointStore* store = nullptr;  // null = read-only
 
   std::string mapId() const { return map::toText(map); }
-  /// A failed request about them.
-  tl::unexpected<CommandFailure> failure(const map::Failure& failed) const;
 };
 
 /// The edits as they will be stored; notes what cannot be.

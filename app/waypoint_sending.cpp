@@ -32,7 +32,7 @@ class Sending {
   CommandResult<SentWaypoints> run(const std::vector<exchange::WaypointEdit>& edits) {
     robot_.waitUntil([&] { return open_.phase() != edit::OpenWaypoints::Phase::Reading; });
     if (open_.phase() != edit::OpenWaypoints::Phase::Ready) {
-      return list_.failure(open_.failure() ? *open_.failure() : robot_.tooLate({}));
+      return robot_.failure(open_.failure() ? *open_.failure() : robot_.tooLate({}));
     }
     open_.document().rebase(edits, {});
     for (exchange::WaypointStep& step : exchange::stepsOf(open_.document().allChanges()))

@@ -206,10 +206,9 @@ CommandResult<int> change(RobotCommand& command, const WaypointsArguments& args,
   if (edits->size() > 1) args.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
   const bool of_the_request =
       edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().outcome.failure;
-  return list->robot->failure(of_the_request
-                                  ? list->failure(*sent->steps.front().outcome.failure).value().exit_code
-                                  : sent->exitCode(),
-                              sent->sentence());
+  return list->robot->failure(
+      of_the_request ? list->robot->exitCodeHere(*sent->steps.front().outcome.failure) : sent->exitCode(),
+      sent->sentence());
 }
 
 CommandResult<int> waypointsCreate(RobotCommand& command, const WaypointsArguments& args) {
@@ -286,7 +285,9 @@ CommandResult<int> waypointsDelete(RobotCommand& command, const WaypointsArgumen
   });
 }
 CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent) {
-  return list.robot->failure(sent.exitCode(), sent.sentence());
+  const int code = sent.exitCode();
+  const bool stopped = code == kRobotError && sent.failure;
+  return list.robot->failure(stopped ? list.robot->exitCodeHere(*sent.failure) : code, sent.sentence());
 }
 
 /// Sends the changes, or only shows them, and reports the result.
@@ -317,7 +318,7 @@ CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypo
                                                                exchange::Others others) {
   const exchange::WaypointItems kept = exchange::itemsOf(list.stored.points);
   exchange::knowByPlace(wanted.points, kept);
-  wanted.notes << exchange::nameNameless(wanted.points, kept, Text::tr("Waypoint %1"));
+  wanted.notes << exchange::nameNameless(wanted.points, kept);
   wanted.notes.removeAll(QString());
   // As one: of several only the first would be printed.
   if (!wanted.notes.isEmpty())

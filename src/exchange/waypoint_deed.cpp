@@ -8,6 +8,7 @@
 #include "edit/merge.h"
 #include "geometry/pose.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::exchange {
@@ -73,8 +74,7 @@ QString deedText(const std::optional<map::Waypoint>& before, const std::optional
     add(WaypointDeedText::tr("Change the kind of %1").arg(name), WaypointDeedText::tr("change its kind"));
   QStringList texts;
   for (const Deed& deed : deeds) texts << (texts.isEmpty() ? deed.of_it : deed.also);
-  return texts.isEmpty() ? WaypointDeedText::tr("Leave %1 as it is").arg(name)
-                         : texts.join(QStringLiteral(", "));
+  return texts.isEmpty() ? WaypointDeedText::tr("Leave %1 as it is").arg(name) : words::listed(texts);
 }
 
 }  // namespace mapwright::exchange

@@ -149,7 +149,7 @@ class GeoJsonReading {
       // Ids of a graph are its own: a waypoint of the map that has the same one is another.
       std::erase_if(entry.members, [&](const auto& member) {
         const bool is_id = meaningOf(member.first) == FieldMeaning::Id;
-        if (is_id) node = WaypointJsonText::tr("Node %1").arg(text(member.second.text)).toStdString();
+        if (is_id) node = "Node " + member.second.text;
         return is_id;
       });
       nodes_ += node.empty() ? 0 : 1;

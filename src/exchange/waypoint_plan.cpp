@@ -10,6 +10,7 @@
 
 #include "exchange/waypoint_json.h"
 #include "sentences/plural.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -207,11 +208,11 @@ QString refusedText(const std::set<edit::Key>& refused, const std::vector<Waypoi
   if (count == 0) return {};
   names.removeDuplicates();
   if (names.size() > kNamed) names = names.mid(0, kNamed) << QStringLiteral("…");
-  return sentences::counted(
-             WaypointPlanText::tr("%1 waypoints are not sent: the robot does not allow duplicate names",
-                                  nullptr, sentences::formOf(count)),
-             count) +
-         QStringLiteral(" (") + names.join(QStringLiteral(", ")) + QStringLiteral(").");
+  const QString what = sentences::counted(
+      WaypointPlanText::tr("%1 waypoints are not sent: the robot does not allow duplicate names", nullptr,
+                           sentences::formOf(count)),
+      count);
+  return WaypointPlanText::tr("%1 (%2).").arg(what, words::listed(names));
 }
 
 WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoint>& wanted, Others others) {

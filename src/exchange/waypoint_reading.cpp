@@ -9,6 +9,7 @@
 
 #include "geometry/pose.h"
 #include "sentences/plural.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -120,7 +121,7 @@ QString named(const std::vector<std::string>& fields) {
   constexpr std::size_t kMostNamed = 20;
   QStringList names;
   for (std::size_t i = 0; i < std::min(fields.size(), kMostNamed); ++i) names << shownField(fields[i]);
-  QString list = names.join(QStringLiteral(", "));
+  QString list = words::listed(names);
   if (fields.size() > kMostNamed)
     list = WaypointReadingText::tr("%1 and %2 more").arg(list, QString::number(fields.size() - kMostNamed));
   return list;
@@ -393,7 +394,7 @@ class WaypointReading::Entry {
         isPlace(wanted_.position_m->y(), wanted_.position_m->x()))
       return wrong(
           WaypointReadingText::tr("its place is in longitude and latitude (%1), not in metres of the map.")
-              .arg(degrees_fields_.join(QStringLiteral(", "))));
+              .arg(words::listed(degrees_fields_)));
     for (const QString& field : degrees_fields_) all_.leaveOut(field.toStdString());
     return {};
   }

@@ -14,6 +14,7 @@
 #include "map/waypoint.h"
 #include "sentences/failure_sentence.h"
 #include "words/decimal.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -68,7 +69,7 @@ QString conflictText(const edit::Conflict& conflict) {
   if (conflict.kind == edit::ConflictKind::DeletedThere)
     return WaypointStepsText::tr("you change it, but it was deleted on the robot");
   return WaypointStepsText::tr("it was changed on the robot, too (%1)")
-      .arg(fieldWords(conflict.fields).join(QStringLiteral(", ")));
+      .arg(words::listed(fieldWords(conflict.fields)));
 }
 
 /// The stored state is what the request should produce.
@@ -176,7 +177,7 @@ QString placeText(const map::Waypoint& point) {
 QString tagText(const map::Waypoint& point) {
   QStringList tags;
   for (const std::string& tag : point.tags) tags << words::plainName(tag);
-  return tags.isEmpty() ? QStringLiteral("-") : tags.join(QStringLiteral(", "));
+  return tags.isEmpty() ? QStringLiteral("-") : words::listed(tags);
 }
 
 QString detailOf(const WaypointStep& step) {

@@ -14,6 +14,7 @@
 #include "exchange/waypoint_reading.h"
 #include "map/waypoint.h"
 #include "sentences/plural.h"
+#include "words/listed.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -206,7 +207,7 @@ QString namesOf(const std::vector<TableColumn>& columns) {
   for (const TableColumn& column : columns) {
     if (!column.name.empty()) names << QString::fromStdString(column.name);
   }
-  return names.join(QStringLiteral(", "));
+  return words::listed(names);
 }
 
 /// One row as a map of its columns.
@@ -449,18 +450,18 @@ void knowByPlace(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept)
   }
 }
 
-QString nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept, const QString& pattern) {
+QString nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept) {
   std::set<std::string> taken;
   for (const auto& [key, point] : kept) taken.insert(point.name);
   for (const WantedWaypoint& one : wanted) {
     if (one.name) taken.insert(*one.name);
   }
-  int number = 0;
+  std::size_t number = 0;
   qint64 named = 0;
   for (WantedWaypoint& one : wanted) {
     if (one.name || kept.contains(one.id)) continue;
     std::string name;
-    do name = pattern.arg(++number).toStdString();
+    do name = madeUpName(++number);
     while (!taken.insert(name).second);
     one.name = std::move(name);
     ++named;

@@ -50,9 +50,11 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape);
 /// Those without id and name that lie where one of `kept` is, turned alike, are that one: the same file twice
 /// changes nothing.
 void knowByPlace(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept);
-/// Gives a unique name to those that have none: `pattern` with %1 for a number. Returns a sentence that says
-/// so; empty = all have one.
-QString nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept, const QString& pattern);
+/// "Waypoint 7". It is stored, so it is the same whatever language is spoken.
+inline std::string madeUpName(std::size_t number) { return "Waypoint " + std::to_string(number); }
+/// Gives a made-up name of its own to each that has none. Returns a sentence that says so; empty = all have
+/// one.
+QString nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept);
 
 /// With a header, tab-separated, in the columns of waypointsCsv() without frame and map.
 std::string waypointsTable(const std::vector<map::Waypoint>& points);

@@ -89,6 +89,20 @@ class OverlaysCommandTest : public QObject {
     QVERIFY(on_file("overlays get -o - --robot none.yaml").out.contains(QStringLiteral("\"id\":\"a\"")));
   }
 
+  void aFileThatCannotBeReadIsExitCodeTwo() {
+    program_->put("broken.pgm", "P5\n2 2\n255\n" + QByteArray(4, char(254)));
+    program_->put("broken.yaml",
+                  "image: broken.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    program_->put("broken.overlays.geojson", "{\"type\":");
+    for (const char* words :
+         {"overlays get -o - --robot broken.yaml"}) {
+      const Ended ended = program_->run(QString::fromLatin1(words).split(QLatin1Char(' ')));
+      QVERIFY2(ended.code == 2 && ended.err.contains(QLatin1String("broken.overlays.geojson")),
+               qPrintable(ended.err));
+    }
+  }
+
   void onlyWhatWasEditedIsChanged() {
     program_->put("mine.geojson", edited("\"Virtual wall\"", "\"Wall <b>17</b> 😀\""));
     const Ended plan = run("plan mine.geojson --base base.geojson --json");

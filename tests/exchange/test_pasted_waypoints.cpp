@@ -73,10 +73,10 @@ class TestPastedWaypoints : public QObject {
     QCOMPARE(list.points.size(), std::size_t(2));
     QVERIFY(!list.points[0].name);
     Waypoint there;
-    there.name = "Place 1";
-    nameNameless(list.points, {{"k", there}}, QStringLiteral("Place %1"));
-    QCOMPARE(*list.points[0].name, std::string("Place 2"));
-    QCOMPARE(*list.points[1].name, std::string("Place 3"));
+    there.name = "Waypoint 1";
+    nameNameless(list.points, {{"k", there}});
+    QCOMPARE(*list.points[0].name, std::string("Waypoint 2"));
+    QCOMPARE(*list.points[1].name, std::string("Waypoint 3"));
   }
 
   void aQuoteInACellIsALetter() {

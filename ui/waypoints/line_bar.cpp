@@ -38,7 +38,7 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
                                   .decimals = 2,
                                   .step = 0.25,
                                   .name = tr("Distance between two waypoints")})),
-      prefix_(new QLineEdit(tr("Waypoint "), this)),
+      prefix_(new QLineEdit(QStringLiteral("Waypoint "), this)),  // it is stored, whatever language is spoken
       first_(new QLineEdit(this)),
       step_(new WholeBox(this)),
       count_(new PlainLabel(this)),

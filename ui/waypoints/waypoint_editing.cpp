@@ -5,6 +5,7 @@
 #include <QUuid>
 
 #include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_table.h"
 #include "ui/kit/name_order.h"
 #include "ui/waypoints/decimal_place.h"
 #include "ui/waypoints/waypoint_text.h"
@@ -129,7 +130,7 @@ std::set<edit::Key> WaypointEditing::addAll(std::vector<map::Waypoint> points, c
   for (map::Waypoint& point : points) {
     point.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
     while (point.name.empty()) {
-      const std::string name = tr("Waypoint %1").arg(++number).toStdString();
+      const std::string name = exchange::madeUpName(++number);
       if (taken.insert(name).second) point.name = name;
     }
     keys.insert(point.id);

@@ -26,6 +26,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_warnings.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -406,7 +407,7 @@ void GroupForm::refresh() {
                  ? name
                  : tr("%1 (%2 of %3)").arg(name, QString::number(count), QString::number(all.count)));
   }
-  tags_->setText(tags.isEmpty() ? tr("No tags") : tags.join(QStringLiteral(", ")));
+  tags_->setText(tags.isEmpty() ? tr("No tags") : words::listed(tags));
   if (!type_->isModified() || !type_->hasFocus())
     type_->setText(all.same_type ? QString::fromStdString(all.type) : QString());
   type_->setPlaceholderText(all.same_type ? tr("none") : tr("different"));

@@ -21,6 +21,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -501,7 +502,7 @@ QString WaypointReview::comparedText() const {
   if (differ == 0) return tr("Compared with the robot's waypoints: all %1 as intended.").arg(as_wanted);
   if (qsizetype(differ) > names.size()) names << QStringLiteral("…");
   return tr("Compared with the robot's waypoints: %1 as intended, %2 differ: %3.")
-      .arg(as_wanted, c.toString(qulonglong(differ)), names.join(QStringLiteral(", ")));
+      .arg(as_wanted, c.toString(qulonglong(differ)), words::listed(names));
 }
 
 void WaypointReview::hideEvent(QHideEvent* event) {

@@ -8,6 +8,7 @@
 #include "sentences/plural.h"
 #include "ui/kit/status_text.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -32,7 +33,7 @@ QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fi
     parts << (point->tags.empty() ? WaypointsText::tr("no tags")
                                   : WaypointsText::tr("tags %1").arg(tagsText(point->tags)));
   if (fields & kType) parts << WaypointsText::tr("type %1").arg(plainWords(point->type, 40));
-  return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral(", "));
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : words::listed(parts);
 }
 
 QString shown(const std::string& name) {
@@ -46,7 +47,7 @@ QString shown(const std::string& name) {
 QString tagsText(const std::vector<std::string>& tags) {
   QStringList texts;
   for (const std::string& tag : tags) texts << words::plainName(tag);
-  return texts.join(QStringLiteral(", "));
+  return words::listed(texts);
 }
 
 std::vector<std::string> tagsFrom(const QString& text) {
@@ -94,7 +95,7 @@ QString pendingText(const edit::ItemState& state, int pending) {
   if (pending & kMoved) parts << WaypointsText::tr("moved");
   if (pending & kRetagged) parts << WaypointsText::tr("retagged");
   if (parts.isEmpty()) return stateText(state);
-  return WaypointsText::tr("Not saved yet: %1.").arg(parts.join(QStringLiteral(", ")));
+  return WaypointsText::tr("Not saved yet: %1.").arg(words::listed(parts));
 }
 
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after) {
@@ -112,7 +113,7 @@ QString changeText(const std::optional<map::Waypoint>& before, const std::option
     if (changed & field)
       parts << WaypointsText::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
   }
-  return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral("; "));
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : words::strung(parts);
 }
 
 QString conflictText(const edit::Conflict& conflict) {

@@ -37,6 +37,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/waypoint_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -162,7 +163,7 @@ void ImportDialog::look() {
   if (wanted) {
     notes = wanted->notes;
     exchange::knowByPlace(wanted->points, kept_);
-    notes << exchange::nameNameless(wanted->points, kept_, tr("Waypoint %1"));
+    notes << exchange::nameNameless(wanted->points, kept_);
     auto edits = exchange::editsFor(kept_, wanted->points,
                                     others_->isChecked() ? exchange::Others::Go : exchange::Others::Stay);
     if (edits) {
@@ -185,9 +186,8 @@ void ImportDialog::look() {
   QStringList parts;
   for (const auto& [kind, count] : counts)
     parts << QStringLiteral("%1 %2").arg(QLocale::c().toString(count), becomes(kind));
-  QString text = parts.isEmpty()
-                     ? tr("Nothing changes: these waypoints are already here.")
-                     : tr("%1. Nothing has been sent or saved yet.").arg(parts.join(QStringLiteral(", ")));
+  QString text = parts.isEmpty() ? tr("Nothing changes: these waypoints are already here.")
+                                 : tr("%1. Nothing has been sent or saved yet.").arg(words::listed(parts));
   if (int(steps.size()) > kMostRows)
     text += QLatin1Char(' ') + tr("Only the first %1 are shown.").arg(kMostRows);
   // All of them: each tells of something that is not as the file has it.
@@ -351,7 +351,7 @@ tl::expected<void, QString> WaypointTransfer::addNew(std::vector<exchange::Wante
   for (exchange::WantedWaypoint& one : points) {
     if (one.name) one.name = freeName(*one.name, taken, numbers);
   }
-  exchange::nameNameless(points, editing_->document()->items(), tr("Waypoint %1"));
+  exchange::nameNameless(points, editing_->document()->items());
   auto edits = exchange::editsFor({}, points, exchange::Others::Go);
   if (!edits) return exchange::wrong(edits.error());
   exchange::FittedEdits fitted = exchange::fitted(std::move(*edits), editing_->keeps());
