@@ -44,6 +44,12 @@ struct RehearseArguments : SiteArguments {
   std::vector<std::string> ways;
 };
 
+/// As it was recorded.
+struct DrivenWay {
+  std::vector<carry::WayPoint> points;
+  std::vector<map::MapIdentity> maps;  // of WayPoint::map
+};
+
 struct RehearsedWay {
   std::string name;
   Rehearsed way;
@@ -56,14 +62,22 @@ struct RehearsalSite {
   align::Alignment alignment;  // without a best one if it was given, or not asked for
 };
 
-CommandResult<std::vector<replay::TrackPoint>> trackFile(const std::string& path) {
+DrivenWay drivenOf(const std::vector<replay::TrackPoint>& track, std::vector<map::MapIdentity> maps) {
+  DrivenWay way{{}, std::move(maps)};
+  for (const replay::TrackPoint& point : track)
+    way.points.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece, point.map});
+  return way;
+}
+
+CommandResult<DrivenWay> trackFile(const std::string& path) {
   const auto bytes = bytesOf(path, kMostTrackBytes);
   const QString file = oneLine(text(path));
   if (!bytes)
     return wrong(Text::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > kMostTrackBytes) return wrong(Text::tr("%1 is larger than 256 MiB.").arg(file));
-  auto track = replay::trackFrom(*bytes);
-  if (track) return std::move(*track);
+  std::vector<map::MapIdentity> maps;
+  const auto track = replay::trackFrom(*bytes, &maps);
+  if (track) return drivenOf(*track, std::move(maps));
   const QString what =
       track.error() == 0
           ? Text::tr("%1 is no track.").arg(file)
@@ -73,9 +87,8 @@ CommandResult<std::vector<replay::TrackPoint>> trackFile(const std::string& path
 }
 
 /// A recording on this computer, or one of the robot.
-CommandResult<std::vector<replay::TrackPoint>> trackOfBag(RobotCommand& command,
-                                                          const RehearseArguments& args,
-                                                          const std::string& typed) {
+CommandResult<DrivenWay> trackOfBag(RobotCommand& command, const RehearseArguments& args,
+                                    const std::string& typed) {
   std::string robot, bag = typed;
   onRecording(robot, bag, args.robot);
   auto opened = BagReading::open(command, text(robot));
@@ -90,17 +103,17 @@ CommandResult<std::vector<replay::TrackPoint>> trackOfBag(RobotCommand& command,
       });
   if (!read) return passOn(read);
   opened->reportUnreadable(HUGE_VAL);
-  return replay::trackOf(index.digests());
+  return drivenOf(replay::trackOf(index.digests()), replay::mapsOf(index.digests()));
 }
 
-CommandResult<std::vector<carry::WayPoint>> wayOf(RobotCommand& command, const RehearseArguments& args,
-                                                  const std::string& typed) {
-  const auto track = replay::isTrackName(typed) ? trackFile(typed) : trackOfBag(command, args, typed);
-  if (!track) return passOn(track);
-  std::vector<carry::WayPoint> way;
-  for (const replay::TrackPoint& point : *track)
-    way.push_back({{point.pose.x_m, point.pose.y_m}, point.stamp_s, point.piece, point.map});
-  return way;
+/// What the robot calls one of its maps; empty if it does not say.
+map::MapIdentity identityOf(RobotReading& robot, const QString& id) {
+  const session::Catalogue& catalogue = robot.session().catalogue();
+  if (id == QLatin1String("submaps") || !catalogue.offered() || !robot.catalogue()) return {};
+  const map::CatalogueEntry* entry =
+      id.isEmpty() || id == QLatin1String("live") ? catalogue.current() : catalogue.called(id.toStdString());
+  if (!entry && catalogue.entries().size() == 1) entry = &catalogue.entries().front();
+  return entry ? map::MapIdentity{entry->uid, entry->name} : map::MapIdentity();
 }
 
 CommandResult<RehearsalSite> openRehearsal(RobotCommand& command, const RehearseArguments& args) {
@@ -112,7 +125,8 @@ CommandResult<RehearsalSite> openRehearsal(RobotCommand& command, const Rehearse
   std::vector<std::string> maps{args.map};
   if (!args.from.empty()) maps.insert(maps.begin(), args.from);
   auto opened = openMaps(command, maps, text(args.robot), {args.resolution, args.origin},
-                         [&](int index, RobotReading& robot, const QString&) {
+                         [&](int index, RobotReading& robot, const QString& id) {
+                           if (index == 0) site.options.driven_on = identityOf(robot, id);
                            if (index + 1 == int(maps.size()))
                              site.options.radius_m =
                                  wishes->radius_m ? *wishes->radius_m : robotRadius(robot);
@@ -147,6 +161,18 @@ QString reachName(Rehearsed::Reach reach) {
   return {};
 }
 
+QString partName(Rehearsed::Part part) {
+  switch (part) {
+    case Rehearsed::Part::Only:
+      return QStringLiteral("only");
+    case Rehearsed::Part::Recorded:
+      return QStringLiteral("recorded");
+    case Rehearsed::Part::ByGround:
+      return QStringLiteral("by_ground");
+  }
+  return {};
+}
+
 QJsonObject stretchJson(const Stretch& stretch) {
   return {{QStringLiteral("what"), QLatin1String(carry::nameOf(stretch.what))},
           {QStringLiteral("from_s"), stretch.from_s},
@@ -171,6 +197,8 @@ QJsonObject rehearsalJson(const RehearsalSite& site, const std::vector<Rehearsed
                        {QStringLiteral("jumps"), qint64(one.way.jumps)},
                        {QStringLiteral("left_out"), qint64(one.way.unusable)},
                        {QStringLiteral("elsewhere_m"), one.way.elsewhere_m},
+                       {QStringLiteral("part"), partName(one.way.part)},
+                       {QStringLiteral("of_another_map"), one.way.of_another},
                        {QStringLiteral("stretches"), stretches}};
   }
   return {{QStringLiteral("transform"), transformJson(site.options.transform)},
@@ -292,11 +320,11 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
     return wrong(*why);
   if (const auto why = notTogetherReason({output, text(args.page), text(args.report), printed}))
     return sharedOutput(*why);
-  std::vector<std::vector<carry::WayPoint>> driven;
+  std::vector<DrivenWay> driven;
   for (const std::string& typed : args.ways) {
-    auto way = wayOf(command, args, typed);
+    auto way = replay::isTrackName(typed) ? trackFile(typed) : trackOfBag(command, args, typed);
     if (!way) return passOn(way);
-    const bool any = std::any_of(way->begin(), way->end(), [](const carry::WayPoint& point) {
+    const bool any = std::any_of(way->points.begin(), way->points.end(), [](const carry::WayPoint& point) {
       return point.position_m.allFinite() && std::isfinite(point.stamp_s);
     });
     if (!any) return wrong(QStringLiteral("%1: %2").arg(oneLine(text(typed)), carry::rehearsedText({})));
@@ -309,7 +337,8 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
     return wrong(*why);
   const carry::Rehearsal rehearsal(site->opened.maps.back(), site->options);
   std::vector<RehearsedWay> ways;
-  for (std::size_t i = 0; i < driven.size(); ++i) ways.push_back({args.ways[i], rehearsal.of(driven[i])});
+  for (std::size_t i = 0; i < driven.size(); ++i)
+    ways.push_back({args.ways[i], rehearsal.of(driven[i].points, driven[i].maps)});
   QJsonObject json = rehearsalJson(*site, ways);
   json[QStringLiteral("complete")] = command.complete();
   command.report(QStringLiteral("rehearsal"), json);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string>
 
 #include "align/plan_of.h"
 #include "carry/areas.h"
@@ -42,19 +44,29 @@ bool isWay(const WayPoint& from, const WayPoint& to) {
 
 bool isUsable(const WayPoint& point) { return point.position_m.allFinite() && std::isfinite(point.stamp_s); }
 
-/// The map on which the robot was where the way lies on free ground of `driven_on`. Of one map: that one.
-std::size_t mapOf(const std::vector<WayPoint>& way, const render::PlacedGrid& driven_on) {
+/// A map that got another name on the way is still the same.
+std::vector<WayPoint> renumbered(std::vector<WayPoint> way, const std::vector<map::MapIdentity>& maps) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (!maps[i].uid.empty()) first.try_emplace(maps[i].uid, i);
+  }
+  for (WayPoint& point : way) {
+    if (point.map < maps.size() && !maps[point.map].uid.empty()) point.map = first[maps[point.map].uid];
+  }
+  return way;
+}
+
+/// Of `parts`, the one whose way lies on free ground of `driven_on`.
+std::size_t byGround(const std::vector<WayPoint>& way, const std::set<std::size_t>& parts,
+                     const render::PlacedGrid& driven_on) {
   struct Share {
     std::size_t points = 0, free = 0;
     double free_share() const { return double(free) / double(points); }
   };
   std::map<std::size_t, Share> shares;
   placing::Ground ground = groundOf(driven_on);
-  const bool one = std::all_of(way.begin(), way.end(),
-                               [&](const WayPoint& point) { return point.map == way.front().map; });
-  if (one) return way.empty() ? 0 : way.front().map;
   for (const WayPoint& point : way) {
-    if (!isUsable(point)) continue;
+    if (!parts.contains(point.map) || !isUsable(point)) continue;
     Share& share = shares[point.map];
     ++share.points;
     share.free += ground.at(point.position_m) == placing::Cell::Free;
@@ -62,7 +74,34 @@ std::size_t mapOf(const std::vector<WayPoint>& way, const render::PlacedGrid& dr
   const auto best = std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
     return a.second.free_share() < b.second.free_share();
   });
-  return best == shares.end() ? 0 : best->first;
+  return best == shares.end() ? *parts.begin() : best->first;
+}
+
+struct ChosenPart {
+  std::size_t map = 0;
+  Rehearsed::Part how = Rehearsed::Part::Only;
+  bool of_another = false;
+};
+
+/// Which of the maps that the robot was on counts.
+ChosenPart choosePart(const std::vector<WayPoint>& way, const std::vector<map::MapIdentity>& maps,
+                      const RehearsalOptions& options, const render::PlacedGrid& driven_on) {
+  std::set<std::size_t> parts;
+  for (const WayPoint& point : way) parts.insert(point.map);
+  if (parts.empty()) return {};
+  const auto called = [&](std::size_t part) { return part < maps.size() ? maps[part] : map::MapIdentity(); };
+  std::set<std::size_t> same;
+  for (const std::size_t part : parts) {
+    if (called(part).isSame(options.driven_on)) same.insert(part);
+  }
+  // By its name alone it may be several: that is not known then.
+  const bool one = same.size() == 1;
+  const bool of_another = same.empty() && std::all_of(parts.begin(), parts.end(), [&](std::size_t part) {
+                            return called(part).comparable(options.driven_on);
+                          });
+  if (parts.size() == 1) return {*parts.begin(), Rehearsed::Part::Only, of_another};
+  return {one ? *same.begin() : byGround(way, same.empty() ? parts : same, driven_on),
+          one ? Rehearsed::Part::Recorded : Rehearsed::Part::ByGround, of_another};
 }
 
 /// Walks along a piece and says what is there.
@@ -215,7 +254,8 @@ Rehearsal::Rehearsal(const render::PlacedGrid& new_map, const RehearsalOptions& 
                 Areas(*align::planOf(new_map, align::cellsFor(new_map, new_map)), options.radius_m)})) {}
 Rehearsal::~Rehearsal() = default;
 
-Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
+Rehearsed Rehearsal::of(const std::vector<WayPoint>& recorded,
+                        const std::vector<map::MapIdentity>& maps) const {
   Rehearsed out;
   Feet feet(parts_->new_map, parts_->options);
   const geometry::Pose2& transform = parts_->options.transform;
@@ -241,14 +281,18 @@ Rehearsed Rehearsal::of(const std::vector<WayPoint>& way) const {
     out.length_m += piece.back().along_m;
     piece.clear();
   };
-  const std::size_t map = mapOf(way, parts_->options.old_map.value_or(parts_->new_map));
+  const std::vector<WayPoint> way = renumbered(recorded, maps);
+  const ChosenPart chosen =
+      choosePart(way, maps, parts_->options, parts_->options.old_map.value_or(parts_->new_map));
+  out.part = chosen.how;
+  out.of_another = chosen.of_another;
   std::optional<WayPoint> before, elsewhere;
   for (const WayPoint& point : way) {
     if (!isUsable(point)) {
       ++out.unusable;
       continue;
     }
-    if (point.map != map) {
+    if (point.map != chosen.map) {
       if (elsewhere && isWay(*elsewhere, point))
         out.elsewhere_m += (point.position_m - elsewhere->position_m).norm();
       elsewhere = point;

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "geometry/pose.h"
+#include "map/map_identity.h"
 #include "render/sample_grid.h"
 
 namespace mapwright::carry {
@@ -47,9 +48,17 @@ struct Rehearsed {
   double length_m = 0;
   double from_s = 0, to_s = 0;
   std::size_t points = 0;
-  std::size_t unusable = 0;          // points without numbers: left out
-  std::size_t jumps = 0;             // nothing is known of the way between two points
-  double elsewhere_m = 0;            // driven on another map: left out, too
+  std::size_t unusable = 0;  // points without numbers: left out
+  std::size_t jumps = 0;     // nothing is known of the way between two points
+  double elsewhere_m = 0;    // driven on another map: left out, too
+  /// How it is known which of the maps that the robot was on is the one that counts.
+  enum class Part {
+    Only,      // there is one
+    Recorded,  // by the uid or name in the recording
+    ByGround,  // it is not: the one whose free ground fits the way best
+  };
+  Part part = Part::Only;
+  bool of_another = false;           // by its uid, none of them is the one that it should be
   std::vector<Stretch> stretches{};  // all of it, also what is free, in the order of the way
   std::array<double, kCrossings> lengths_m{};
   enum class Reach {
@@ -71,6 +80,8 @@ struct RehearsalOptions {
   geometry::Pose2 transform = {};  // from the frame of the way to the new map
   /// What the way was driven on. Where it kept as close to a wall there, it is not too close (carried.h).
   std::optional<render::PlacedGrid> old_map = {};
+  /// What the map is called that it was driven on: the old one, or without one the new one.
+  map::MapIdentity driven_on = {};
 };
 
 class Rehearsal {
@@ -78,10 +89,10 @@ class Rehearsal {
   Rehearsal(const render::PlacedGrid& new_map, const RehearsalOptions& options);
   ~Rehearsal();
 
-  /// By time. A jump that `way` does not know of is none of its line either. Of several maps that the robot
-  /// was on, the one counts on whose free ground most of its way lies: the old map, or without one the new
-  /// map.
-  Rehearsed of(const std::vector<WayPoint>& way) const;
+  /// By time. A jump that `way` does not know of is none of its line either. `maps`: what the recording calls
+  /// those of WayPoint::map. Of several that the robot was on, the one counts that is called as `driven_on`.
+  /// Where that is not known: that on whose free ground most of the way lies.
+  Rehearsed of(const std::vector<WayPoint>& way, const std::vector<map::MapIdentity>& maps = {}) const;
 
  private:
   struct Parts;

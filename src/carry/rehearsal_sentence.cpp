@@ -65,6 +65,11 @@ QString rehearsedText(const Rehearsed& way) {
   if (away_m > way.length_m / 2)
     said << RehearsalText::tr("Most of it lies where this map knows nothing: it may be of another place.");
   said << reachText(way.reach);
+  if (way.of_another) said << RehearsalText::tr("By what is recorded, it was driven on another map.");
+  if (way.part == Rehearsed::Part::ByGround)
+    said << RehearsalText::tr(
+        "The robot was on several maps, and which of them is meant is not known: the part that fits best is "
+        "rehearsed.");
   if (way.elsewhere_m > 0)
     said << RehearsalText::tr("Driven on another map, not rehearsed: %1 m.")
                 .arg(words::fixed(way.elsewhere_m, 1));

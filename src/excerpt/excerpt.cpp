@@ -186,7 +186,7 @@ class Track : public Writing {
                        order_.span.to_s.value_or(HUGE_VAL));
     file_.write(order_.kind == Kind::TrackCsv   ? replay::csvOf(track)
                 : order_.kind == Kind::TrackTum ? replay::tumOf(track)
-                                                : replay::geoJsonOf(track));
+                                                : replay::geoJsonOf(track, replay::mapsOf(index_.digests())));
     if (auto fault = file_.place()) return tl::make_unexpected(std::move(*fault));
     done_.samples = std::int64_t(track.size());
     done_.pieces = track.empty() ? 0 : std::int64_t(track.back().piece - track.front().piece + 1);

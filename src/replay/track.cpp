@@ -8,12 +8,30 @@
 #include <utility>
 #include <variant>
 
+#include <QByteArray>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QString>
+
 #include "map/live_state.h"
 
 namespace mapwright::replay {
 namespace {
 
 /// Walks through the samples and the limits of pieces.
+/// Numbers maps in the order in which they are heard of.
+class HeardMaps {
+ public:
+  std::size_t numberOf(const map::MapInfo& info) {
+    const map::MapIdentity one{info.uid, info.name};
+    const auto known = std::find(maps.begin(), maps.end(), one);
+    if (known != maps.end()) return std::size_t(known - maps.begin());
+    maps.push_back(one);
+    return maps.size() - 1;
+  }
+  std::vector<map::MapIdentity> maps;
+};
+
 class Collecting {
  public:
   std::vector<TrackPoint> points;
@@ -39,7 +57,7 @@ class Collecting {
       uuid_ = list->uuid;
     } else if (const auto* info = std::get_if<map::MapInfo>(&message)) {
       // What was driven before the first one is heard was on it, too.
-      const std::size_t now = maps_.try_emplace({info->uid, info->name}, maps_.size()).first->second;
+      const std::size_t now = maps_.numberOf(*info);
       ends_ = ends_ || now != map_;
       map_ = now;
     }
@@ -56,7 +74,7 @@ class Collecting {
   }
 
   std::optional<double> until_s_;
-  std::map<std::pair<std::string, std::string>, std::size_t> maps_;  // uid, name
+  HeardMaps maps_;
   std::size_t map_ = 0;
   std::string uuid_;
   int quality_ = 0;
@@ -105,6 +123,14 @@ std::vector<Piece> piecesOf(const std::vector<TrackPoint>& track) {
   return pieces;
 }
 
+/// Nothing if it is empty.
+void appendText(std::string& text, const char* name, const std::string& value) {
+  if (value.empty()) return;
+  const QByteArray list =
+      QJsonDocument(QJsonArray{QString::fromStdString(value)}).toJson(QJsonDocument::Compact);
+  text.append(",\"").append(name).append("\":").append(list.data() + 1, std::size_t(list.size() - 2));
+}
+
 template <typename Value>
 void appendList(std::string& text, const char* name, const Piece& piece, Value value) {
   text.append(",\"").append(name).append("\":[");
@@ -122,6 +148,16 @@ std::vector<TrackPoint> trackOf(const std::map<Tick, Digest>& digests) {
   for (const auto& [from, digest] : digests) collecting.read(digest);
   addSpeeds(collecting.points);
   return std::move(collecting.points);
+}
+
+std::vector<map::MapIdentity> mapsOf(const std::map<Tick, Digest>& digests) {
+  HeardMaps heard;
+  for (const auto& [from, digest] : digests) {
+    for (const Digest::Kept& kept : digest.history) {
+      if (const auto* info = std::get_if<map::MapInfo>(&kept.message)) heard.numberOf(*info);
+    }
+  }
+  return std::move(heard.maps);
 }
 
 std::vector<TrackPoint> within(const std::vector<TrackPoint>& track, double from_s, double to_s) {
@@ -165,7 +201,7 @@ std::string tumOf(const std::vector<TrackPoint>& track) {
   return text;
 }
 
-std::string geoJsonOf(const std::vector<TrackPoint>& track) {
+std::string geoJsonOf(const std::vector<TrackPoint>& track, const std::vector<map::MapIdentity>& maps) {
   std::string text = R"({"type":"FeatureCollection","units":"metres of the map","features":[)";
   bool first = true;
   for (const Piece& piece : piecesOf(track)) {
@@ -187,7 +223,12 @@ std::string geoJsonOf(const std::vector<TrackPoint>& track) {
     }
     text += line ? "]}" : "}";
     text += R"(,"properties":{"piece":)" + std::to_string(piece.begin->piece) + R"(,"map":)" +
-            std::to_string(piece.begin->map) + R"(,"start_s":)";
+            std::to_string(piece.begin->map);
+    if (piece.begin->map < maps.size()) {
+      appendText(text, "map_uid", maps[piece.begin->map].uid);
+      appendText(text, "map_name", maps[piece.begin->map].name);
+    }
+    text += R"(,"start_s":)";
     append(text, piece.begin->stamp_s, kStampDecimals);
     text += R"(,"end_s":)";
     append(text, std::prev(piece.end)->stamp_s, kStampDecimals);

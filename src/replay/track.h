@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "map/map_identity.h"
 #include "replay/chunks.h"
 #include "replay/digest.h"
 
@@ -27,6 +28,8 @@ struct TrackPoint {
 
 /// By time; samples with equal stamps stay in recorded order.
 std::vector<TrackPoint> trackOf(const std::map<Tick, Digest>& digests);
+/// What the recording calls the maps of TrackPoint::map; empty if it says nothing.
+std::vector<map::MapIdentity> mapsOf(const std::map<Tick, Digest>& digests);
 /// Those from `from_s` to `to_s`, both inclusive.
 std::vector<TrackPoint> within(const std::vector<TrackPoint>& track, double from_s, double to_s);
 
@@ -37,7 +40,8 @@ std::string csvOf(const std::vector<TrackPoint>& track);
 std::string tumOf(const std::vector<TrackPoint>& track);
 /// A FeatureCollection with one LineString per piece (a Point for a single sample). Coordinates are metres of
 /// the map (see "units" of the collection), not degrees. Properties: "piece", "map", "start_s", "end_s",
-/// "length_m", and the samples' "stamps_s", "yaws_rad", "speeds_m_s", "qualities".
-std::string geoJsonOf(const std::vector<TrackPoint>& track);
+/// "length_m", what `maps` knows of the map as "map_uid" and "map_name", and the samples' "stamps_s",
+/// "yaws_rad", "speeds_m_s", "qualities".
+std::string geoJsonOf(const std::vector<TrackPoint>& track, const std::vector<map::MapIdentity>& maps = {});
 
 }  // namespace mapwright::replay

@@ -14,6 +14,8 @@ namespace mapwright::replay {
 namespace {
 
 using TrackRead = tl::expected<std::vector<TrackPoint>, std::size_t>;
+/// Names of more are not kept: their numbers may be anything.
+constexpr double kMostMaps = 10'000;
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<double> numberFrom(const QByteArray& word) {
@@ -62,7 +64,7 @@ TrackRead fromTum(const QList<QByteArray>& lines) {
   return track;
 }
 
-TrackRead fromGeoJson(const QByteArray& text) {
+TrackRead fromGeoJson(const QByteArray& text, std::vector<map::MapIdentity>* maps) {
   const QJsonObject all = QJsonDocument::fromJson(text).object();
   const QJsonValue features = all[QLatin1String("features")];
   if (!features.isArray()) return tl::make_unexpected(0);
@@ -90,6 +92,12 @@ TrackRead fromGeoJson(const QByteArray& text) {
            piece,
            std::size_t(map)});
     }
+    const map::MapIdentity called{properties[QLatin1String("map_uid")].toString().toStdString(),
+                                  properties[QLatin1String("map_name")].toString().toStdString()};
+    if (maps && !called.empty() && map < kMostMaps) {
+      if (maps->size() <= std::size_t(map)) maps->resize(std::size_t(map) + 1);
+      (*maps)[std::size_t(map)] = called;
+    }
     ++piece;
   }
   return track;
@@ -105,10 +113,11 @@ bool isTrackName(std::string_view path) {
   return false;
 }
 
-tl::expected<std::vector<TrackPoint>, std::size_t> trackFrom(std::string_view text) {
+tl::expected<std::vector<TrackPoint>, std::size_t> trackFrom(std::string_view text,
+                                                             std::vector<map::MapIdentity>* maps) {
   const auto bytes = QByteArray::fromRawData(text.data(), qsizetype(text.size()));
   const QByteArray begin = bytes.left(200).trimmed();
-  if (begin.startsWith('{')) return fromGeoJson(bytes);
+  if (begin.startsWith('{')) return fromGeoJson(bytes, maps);
   const QList<QByteArray> lines = bytes.split('\n');
   return begin.contains("stamp_s") ? fromCsv(lines) : fromTum(lines);
 }

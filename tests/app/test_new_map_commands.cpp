@@ -266,6 +266,38 @@ class NewMapTest : public QObject {
         qPrintable(table.out));
   }
 
+  /// Both maps have the same coordinates.
+  void thePartIsRehearsedThatTheRecordingSaysIsOfTheOldMap() {
+    putAisle();
+    const auto part = [&](int map, const char* name, double row, int length) {
+      const Eigen::Vector2d from = placeOf(12.5, row), to = placeOf(12.5 + length, row);
+      const auto at = [](const Eigen::Vector2d& place) {
+        return '[' + QByteArray::number(place.x()) + ',' + QByteArray::number(place.y()) + ']';
+      };
+      const QByteArray stamp = QByteArray::number(1000 * (map + 1));
+      return QByteArray(R"({"geometry":{"type":"LineString","coordinates":[)") + at(from) + ',' + at(to) +
+             R"(]},"properties":{"map":)" + QByteArray::number(map) + R"(,"map_name":")" + name +
+             R"(","stamps_s":[)" + stamp + ',' + stamp + ".5]}}";
+    };
+    program_->put("two.geojson", R"({"features":[)" + part(0, "elsewhere", 20.5, 10) + ',' +
+                                     part(1, "old", 25.5, 12) + "]}");
+    const auto way = [&](const QString& more) {
+      return run(QStringLiteral("maps rehearse ") + more + QStringLiteral(" --json"))
+          .object()[QLatin1String("ways")][0]
+          .toObject();
+    };
+    const double cell_m = site_.resolution_m;
+    for (const char* const line : {"today.yaml two.geojson --from old.yaml", "old.yaml two.geojson"}) {
+      const QJsonObject found = way(QLatin1String(line));
+      QCOMPARE(found[QLatin1String("part")].toString(), QStringLiteral("recorded"));
+      QVERIFY(std::abs(found[QLatin1String("length_m")].toDouble() - 12 * cell_m) < 1e-3);
+      QVERIFY(std::abs(found[QLatin1String("elsewhere_m")].toDouble() - 10 * cell_m) < 1e-3);
+      QVERIFY(!found[QLatin1String("of_another_map")].toBool());
+    }
+    const QJsonObject guessed = way(QStringLiteral("today.yaml two.geojson --transform 0,0,0"));
+    QCOMPARE(guessed[QLatin1String("part")].toString(), QStringLiteral("by_ground"));
+  }
+
   void aTransformAndARadiusAreUsed() {
     putAisle();
     const auto crossed = [&](const char* more) {

@@ -332,6 +332,42 @@ class TestRehearsal : public QObject {
     QCOMPARE(onto.of(way).points, kThroughTheDoor.size());
   }
 
+  /// Both maps have the same coordinates: the ground cannot tell which part was driven on which.
+  void theUidSaysWhichPartCounts() {
+    using Part = Rehearsed::Part;
+    const std::vector<map::MapIdentity> maps{{"u1", "Hall"}, {"u2", "Hall"}, {"u1", "Renamed"}};
+    std::vector<WayPoint> way = wayAlong({{2, 3}, {5, 3}});
+    for (const auto& [map, length_m] : {std::pair(1U, 2.0), {2U, 1.0}}) {
+      for (WayPoint point : wayAlong({{2, 4}, {2 + length_m, 4}})) {
+        point.map = map, point.piece = map, point.stamp_s += 1000 * map;
+        way.push_back(point);
+      }
+    }
+    const auto lengthFor = [&](const map::MapIdentity& driven_on, Part part, bool of_another) {
+      const Rehearsed found = carry::Rehearsal(gridOf(hall()), {.driven_on = driven_on}).of(way, maps);
+      if (found.part != part || found.of_another != of_another) return -1.0;
+      return std::round(found.length_m * 1e6) / 1e6;
+    };
+    QCOMPARE(lengthFor({"u2", "Hall"}, Part::Recorded, false), 2.0);
+    QCOMPARE(lengthFor({"u1", "Whatever"}, Part::Recorded, false), 4.0);  // also after it was renamed
+    QCOMPARE(lengthFor({"", "Renamed"}, Part::ByGround, false), 4.0);
+    QVERIFY(lengthFor({"", "Hall"}, Part::ByGround, false) > 0);  // two of one name
+    QVERIFY(lengthFor({}, Part::ByGround, false) > 0);
+    QVERIFY(lengthFor({"u3", "Hall"}, Part::ByGround, true) > 0);
+    const Rehearsed guessed = carry::Rehearsal(gridOf(hall()), {}).of(way, maps);
+    QVERIFY(carry::rehearsedText(guessed).contains(QLatin1String("which of them is meant is not known")));
+  }
+
+  void ofOneMapItIsSaidWhetherItIsAnother() {
+    const carry::Rehearsal onto(gridOf(hall()), {.driven_on = {"u1", "Hall"}});
+    const auto said = [&](const map::MapIdentity& recorded) {
+      return carry::rehearsedText(onto.of(kThroughTheDoor, {recorded}));
+    };
+    QVERIFY(said({"u2", "Hall"}).contains(QLatin1String("it was driven on another map")));
+    for (const map::MapIdentity& one : {map::MapIdentity{"u1", "Once"}, {"", "Other"}, {}})
+      QVERIFY(!said(one).contains(QLatin1String("another map")));
+  }
+
   void whatScriptsReadStays() {
     const std::vector<std::string> names{"free", "outside", "unknown", "too_close", "obstacle"};
     for (int i = 0; i < carry::kCrossings; ++i)

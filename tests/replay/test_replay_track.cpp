@@ -212,6 +212,29 @@ class ReplayTrackTest : public QObject {
     }
   }
 
+  void theUidsAndNamesOfMapsGoThroughAFile() {
+    Bag bag = straight(8);
+    map::MapInfo hall;
+    hall.uid = "u1", hall.name = "Hall \"2\", café";
+    bag.push_back(say(1, "/map/info", hall));
+    bag.push_back(say(3, "/map/info", onMap("b")));
+    bag.push_back(say(5, "/map/info", map::MapInfo()));
+    sortByTime(bag);
+    const auto digests = digestsOf(bag, 10);
+    const std::vector<map::MapIdentity> expected{{"u1", hall.name}, {"b", ""}, {"", ""}};
+    QVERIFY(mapsOf(digests) == expected);
+    std::vector<map::MapIdentity> maps;
+    const auto track = trackOf(digests);
+    QVERIFY(trackFrom(geoJsonOf(track, mapsOf(digests)), &maps));
+    QVERIFY(maps == std::vector(expected.begin(), expected.begin() + 2));
+    maps.clear();
+    QVERIFY(trackFrom(csvOf(track), &maps) && maps.empty());
+    // Numbers are what anyone writes.
+    const std::string far = R"({"features":[{"geometry":{"type":"Point","coordinates":[1,2]},"properties":)"
+                            R"({"map":999999999,"map_uid":"x","stamps_s":[1]}}]})";
+    QVERIFY(trackFrom(far, &maps) && maps.empty());
+  }
+
   void tumHasQuaternions() {
     const Bag bag{say(0, "/tracked_pose", at(-1.5, 3.141592653589793))};
     QCOMPARE(tumOf(trackOf(digestsOf(bag, 2))),

@@ -1,6 +1,8 @@
 // A map that lies under the one on screen.
 #pragma once
 
+#include <string>
+
 #include <QPointer>
 
 #include "geometry/pose.h"
@@ -15,6 +17,7 @@ struct LaidMap {
   geometry::Pose2 pose;           // where it lies on the map on screen
   QPointer<robot::Robot> reader;  // has its waypoints
   map::MapKey key;                // which of its maps it is
+  std::string name;               // as it was read; empty: it has none
   bool operator==(const LaidMap& other) const {
     return map == other.map && pose == other.pose && reader == other.reader && key == other.key;
   }
