@@ -1,5 +1,6 @@
 #include "overlays/overlay_box.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -60,26 +61,79 @@ void put(std::vector<json::Rewrite>& rewrites, const JsonValue& box, const geome
   for (std::size_t i = 0; i < now.size(); ++i) rewrites.push_back({(*sides)[i], coordinateText(now[i])});
 }
 
-Feature withoutBoxOfGeometry(const Feature& feature) {
-  const JsonValue root = feature.root();
-  return Feature(json::withMember(root, kGeometry, json::withoutMember(*root.member(kGeometry), kBox)));
+/// What may have a box: a feature, its geometry, and those in a collection of geometries.
+struct Boxed {
+  std::vector<std::size_t> path;  // empty: the feature; else its geometry, and places in "geometries"
+  JsonValue object;
+  std::optional<JsonValue> box;
+  geometry::WorldRect bounds() const {
+    return boundsOf(Feature(path.empty() ? std::string(object.text())
+                                         : "{\"geometry\":" + std::string(object.text()) + '}'));
+  }
+};
+
+constexpr std::size_t kDeepestPart = 8;  // as far as edits move it
+
+void eachBoxed(const JsonValue& geometry, const std::vector<std::size_t>& path, std::vector<Boxed>& all) {
+  all.push_back({path, geometry, geometry.member(kBox)});
+  const auto parts = geometry.member("geometries");
+  if (!parts || path.size() > kDeepestPart) return;
+  const auto children = parts->children();
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    auto inner = path;
+    inner.push_back(i);
+    eachBoxed(children[i], inner, all);
+  }
+}
+
+std::vector<Boxed> boxedOf(const Feature& feature) {
+  std::vector<Boxed> all{{{}, feature.root(), feature.root().member(kBox)}};
+  if (const auto geometry = feature.root().member(kGeometry)) eachBoxed(*geometry, {0}, all);
+  return all;
+}
+
+const Boxed* find(const std::vector<Boxed>& all, const std::vector<std::size_t>& path) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Boxed& one) { return one.path == path; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 std::optional<Reboxed> reboxed(const Feature& moved, const Feature& before) {
-  const auto geometry = moved.root().member(kGeometry);
-  const auto box = moved.root().member(kBox), inner = geometry ? geometry->member(kBox) : std::nullopt;
-  if (!box && !inner) return std::nullopt;
-  const geometry::WorldRect was = boundsOf(before), is = boundsOf(moved);
-  const bool right = box && isRight(*box, was), inner_right = inner && isRight(*inner, was);
+  const std::vector<Boxed> now = boxedOf(moved), was = boxedOf(before);
   std::vector<json::Rewrite> rewrites;
-  if (right) put(rewrites, *box, is);
-  if (inner_right) put(rewrites, *inner, is);
-  Reboxed out{rewrites.empty() ? moved : Feature(JsonText::rewritten(std::move(rewrites)))};
-  if (box && !right) out.feature = Feature(json::withoutMember(out.feature.root(), kBox)), out.removed = true;
-  if (inner && !inner_right) out.feature = withoutBoxOfGeometry(out.feature), out.removed = true;
+  std::vector<std::vector<std::size_t>> wrong;
+  bool any = false;
+  for (const Boxed& one : now) {
+    const Boxed* const old = one.box ? find(was, one.path) : nullptr;
+    // Another box than before was put there on purpose.
+    if (!old || !old->box || old->box->text() != one.box->text()) continue;
+    any = true;
+    const geometry::WorldRect bounds = one.bounds();
+    if (isRight(*one.box, bounds)) continue;
+    if (isRight(*old->box, old->bounds()) && !bounds.empty()) {
+      put(rewrites, *one.box, bounds);
+    } else {
+      wrong.push_back(one.path);
+    }
+  }
+  if (!any) return std::nullopt;
+  Reboxed out{rewrites.empty() ? moved : Feature(JsonText::rewritten(std::move(rewrites))), !wrong.empty()};
+  for (const auto& path : wrong) {
+    const std::vector<Boxed> there = boxedOf(out.feature);
+    const JsonValue object = find(there, path)->object;
+    std::string text = out.feature.text();
+    text.replace(object.begin(), object.end() - object.begin(), json::withoutMember(object, kBox));
+    out.feature = Feature(std::move(text));
+  }
   return out;
+}
+
+Feature withItsBoxes(const Feature& moved, const Feature& before) {
+  const auto geometry = moved.root().member(kGeometry), geometry_before = before.root().member(kGeometry);
+  if (!geometry || !geometry_before || geometry->text() == geometry_before->text()) return moved;
+  const auto out = reboxed(moved, before);
+  return out ? out->feature : moved;
 }
 
 bool rebox(OverlayDocument& after, const OverlayDocument& before) {

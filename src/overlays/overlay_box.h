@@ -7,13 +7,16 @@
 
 namespace mapwright::overlays {
 
-/// `moved` is `before` in another place. A box that was right is so again, with all else of it as it was; one
-/// that was not is removed. nullopt: neither it nor its geometry has one.
+/// `moved` is `before` in another place or shape. A box that was right is so again, with all else of it as it
+/// was; one that was not is removed. So are the boxes of its geometry, and of those in a collection. One that
+/// differs from that of `before` stays. nullopt: there is none.
 struct Reboxed {
   Feature feature;
   bool removed = false;  // at least one
 };
 std::optional<Reboxed> reboxed(const Feature& moved, const Feature& before);
+/// The feature of it; `moved` if its geometry is the same.
+Feature withItsBoxes(const Feature& moved, const Feature& before);
 
 /// `after` has other features than `before`. False: the box of its collection was not right before, and stays
 /// as it is.

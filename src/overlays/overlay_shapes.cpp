@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kDeepestCollection = 4;
+constexpr int kDeepestCollection = 8;  // as far as edits move it
 
 class ShapeReading {
  public:

@@ -1,7 +1,10 @@
 // Overlays of an old map on a new one: what belongs together goes together.
+#include <functional>
+
 #include <QtTest>
 
 #include "carry/overlays_carried.h"
+#include "geometry/rect.h"
 #include "overlays/overlay_box.h"
 #include "overlays/overlay_shapes.h"
 #include "site.h"
@@ -112,6 +115,80 @@ class TestOverlaysCarried : public QObject {
       QVERIFY2(one.moved.text().find("bbox") == std::string::npos, one.moved.text().c_str());
       QCOMPARE(overlays::shapesOf(one.moved).paths.front().points.size(), std::size_t(2));
     }
+  }
+
+  /// Collections of geometries in one another, each with a box that is right, wrong or none.
+  void boxesOfRandomCollectionsTurnOrAreLeftOut() {
+    using Bounds = geometry::WorldRect;
+    Chance chance(1);
+    int wrong = 0;
+    const auto boxOf = [&](const Bounds& bounds) -> std::string {
+      const int kind = chance.below(3);
+      if (kind == 0) return {};
+      if (kind == 1) ++wrong;
+      return ",\"bbox\":[" + std::to_string(bounds.min_x - (kind == 1 ? 0.5 : 0)) + ',' +
+             std::to_string(bounds.min_y) + ',' + std::to_string(bounds.max_x) + ',' +
+             std::to_string(bounds.max_y) + ']';
+    };
+    const std::function<std::string(int, Bounds&)> geometryOf = [&](int depth, Bounds& bounds) {
+      std::string list;
+      for (int i = 0; i < 2; ++i) {
+        Bounds inner;
+        const Eigen::Vector2d at(chance.between(2, 8), chance.between(2, 8));
+        list += (i > 0 ? "," : "") + (depth > 0 ? geometryOf(chance.below(depth), inner) : positionAt(at));
+        depth > 0 ? bounds.extend(inner) : bounds.extend(at);
+      }
+      return (depth > 0 ? R"({"type":"GeometryCollection","geometries":[)"
+                        : R"({"type":"LineString","coordinates":[)") +
+             list + ']' + boxOf(bounds) + '}';
+    };
+    std::vector<std::string> texts;
+    std::vector<int> wrong_in;
+    for (int i = 0; i < 40; ++i) {
+      wrong = 0;
+      Bounds bounds;
+      const std::string geometry = geometryOf(6, bounds);
+      texts.push_back(R"({"type":"Feature")" + boxOf(bounds) + R"(,"geometry":)" + geometry +
+                      R"(,"properties":{"kept":[1.50]}})");
+      wrong_in.push_back(wrong);
+    }
+    // How many there are; each must be around what it belongs to.
+    const std::function<int(const json::JsonValue&)> boxesIn = [&](const json::JsonValue& object) {
+      int found = 0;
+      if (const auto box = object.member("bbox")) {
+        Bounds there;
+        const overlays::Feature alone(object.member("geometry")
+                                          ? std::string(object.text())
+                                          : "{\"geometry\":" + std::string(object.text()) + '}');
+        for (const overlays::Path& path : overlays::shapesOf(alone).paths) {
+          for (const Eigen::Vector2d& point : path.points) there.extend(point);
+        }
+        const auto sides = box->children();
+        const double bounds[] = {there.min_x, there.min_y, there.max_x, there.max_y};
+        for (std::size_t i = 0; i < 4; ++i) {
+          if (std::abs(sides[i].number() - bounds[i]) > 1e-3) return -1000;
+        }
+        ++found;
+      }
+      if (const auto inner = object.member("geometry")) found += boxesIn(*inner);
+      if (const auto parts = object.member("geometries")) {
+        for (const json::JsonValue& part : parts->children()) found += boxesIn(part);
+      }
+      return found;
+    };
+    const auto all = carriedTo({}, documentOf(texts));
+    QCOMPARE(all.size(), texts.size());
+    int right_ones = 0, wrong_ones = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      int before = 0;
+      for (auto at = texts[i].find("bbox"); at != std::string::npos; at = texts[i].find("bbox", at + 1))
+        ++before;
+      QCOMPARE(all[i].box_removed, wrong_in[i] > 0);
+      QCOMPARE(boxesIn(all[i].moved.root()), before - wrong_in[i]);
+      QVERIFY(all[i].moved.text().find(R"("kept":[1.50])") != std::string::npos);
+      right_ones += before - wrong_in[i], wrong_ones += wrong_in[i];
+    }
+    QVERIFY(right_ones > 40 && wrong_ones > 40);
   }
 
   void theBoxOfTheWholeCollectionGrowsIfItWasRight() {

@@ -151,6 +151,11 @@ class OverlaysDesk : public Desk, public robot::OverlayStore {
   QObject timers_;  // last: nothing is answered after the session
 };
 
+std::string boxOf(const overlays::Feature& feature) {
+  const auto box = feature.root().member("bbox");
+  return box ? std::string(box->text()) : std::string();
+}
+
 class PictureDesk : public Desk {
  public:
   PictureDesk() {
@@ -247,6 +252,39 @@ std::unique_ptr<Desk> deskOf(const QString& what) {
 class EditSessionsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void theBoxOfAnOverlayFollowsIt() {
+    const auto feature = [](const char* box) {
+      return R"({"id":"a","type":"Feature","bbox":)" + std::string(box) +
+             R"(,"geometry":{"type":"LineString","coordinates":[[2,1],[4,3]]},"properties":{}})";
+    };
+    OverlayEditing editing;
+    const auto open = [&](const char* box) {
+      editing.open(*overlays::OverlayDocument::read(R"({"type":"FeatureCollection","features":[)" +
+                                                    feature(box) + "]}"));
+      editing.select({0});
+    };
+    const auto move = [&] {
+      editing.changeSelected(QStringLiteral("move"), [](const overlays::Feature& one) {
+        return overlays::movedBy(one, {1, 0});
+      });
+    };
+    open("[2,1,4,3]");
+    move();
+    QCOMPARE(boxOf(*editing.find(0)), std::string("[3,1,5,3]"));
+    editing.undoStack().undo();
+    QCOMPARE(editing.find(0)->text(), feature("[2,1,4,3]"));
+    editing.set(0, overlays::withVertexAt(*editing.find(0), {0, 1}, {6, 2}), QStringLiteral("reshape"));
+    QCOMPARE(boxOf(*editing.find(0)), std::string("[2,1,6,2]"));
+    editing.duplicateSelected();
+    QCOMPARE(boxOf(*editing.find(1)), std::string("[2.5,0.5,6.5,1.5]"));
+    // What did not fit goes; what has not moved keeps whatever it has.
+    open("[0,0,1,1]");
+    editing.set(0, overlays::withProperty(*editing.find(0), "name", "\"A\""), QStringLiteral("name"));
+    QCOMPARE(boxOf(*editing.find(0)), std::string("[0,0,1,1]"));
+    move();
+    QCOMPARE(boxOf(*editing.find(0)), std::string());
+  }
+
   void whatIsNotStoredIsUnsaved_data() {
     QTest::addColumn<QString>("what");
     QTest::addColumn<int>("fate");

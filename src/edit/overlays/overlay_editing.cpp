@@ -5,6 +5,7 @@
 
 #include <QRandomGenerator>
 
+#include "overlays/overlay_box.h"
 #include "overlays/overlay_paste.h"
 #include "overlays/overlay_sentence.h"
 #include "overlays/overlay_shapes.h"
@@ -19,6 +20,14 @@ using overlays::featuresText;
 using overlays::kCollectionKey;
 using overlays::overlayCalled;
 using overlays::OverlayDocument;
+
+namespace {
+
+Feature shiftedBy(const Feature& feature, const Eigen::Vector2d& by_m) {
+  return overlays::withItsBoxes(overlays::movedBy(feature, by_m), feature);
+}
+
+}  // namespace
 
 /// A step of the document, which keeps what it changes itself: others' changes come below it.
 class OverlayEditing::Command : public QUndoCommand {
@@ -118,6 +127,10 @@ void OverlayEditing::record(const QString& text, const std::function<void()>& wh
 }
 
 void OverlayEditing::change(std::vector<FeatureEdit> edits, const QString& text, Gesture gesture) {
+  for (FeatureEdit& edit : edits) {
+    if (edit.before && edit.after && edit.key != kCollectionKey)
+      edit.after = overlays::withItsBoxes(*edit.after, *edit.before);
+  }
   const bool joins = gesture != 0 && gesture == gesture_ && !undo_.canRedo() && undo_.canUndo();
   record(text, [&] { document_.change(std::move(edits), joins); });
   gesture_ = gesture;
@@ -204,7 +217,7 @@ void OverlayEditing::duplicateSelected() {
   std::vector<Feature> features;
   for (const FeatureKey key : selected_) features.push_back(*document_.find(key));
   features = madeFree(features);
-  for (Feature& feature : features) feature = overlays::movedBy(feature, {kAsideM, -kAsideM});
+  for (Feature& feature : features) feature = shiftedBy(feature, {kAsideM, -kAsideM});
   put(features, {}, saying(tr("duplicate %1")));
 }
 
@@ -234,7 +247,7 @@ void OverlayEditing::paste(const std::vector<Feature>& features, const std::opti
     }
   }
   if (at_m && !around.empty()) {
-    for (Feature& feature : pasted) feature = overlays::movedBy(feature, *at_m - around.center());
+    for (Feature& feature : pasted) feature = shiftedBy(feature, *at_m - around.center());
   }
   put(pasted, {}, tr("paste %1").arg(featuresText(qsizetype(pasted.size()))));
 }
