@@ -332,7 +332,7 @@ class MapSceneTest : public QObject {
              QStringLiteral(
                  "reference,whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-"
                  "cloud,"
-                 "coverage,disagreement,problems,grid,overlays,"
+                 "coverage,disagreement,walls-off,problems,grid,overlays,"
                  "waypoints,landmarks,doors,boxes,constraints,closures,outlines,ids,trajectory,path,"
                  "local-path,target,cloud,robots,trail,track,expanded-footprint,footprint,robot,scalebar"));
   }

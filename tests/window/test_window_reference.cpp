@@ -521,12 +521,12 @@ class TestWindowReference : public QObject {
     bench.openOn(after, before);
     const WallsOffMarks& marks = bench.reference()->wallsOff();
     QTest::keyClick(bench.dock()->wallsOffBox(), Qt::Key_Space);
-    QTRY_VERIFY(!marks.running() && !marks.shown().empty());
+    QTRY_VERIFY(!marks.running() && marks.shown() && !marks.shown()->walls.empty());
     QVERIFY(bench.dock()->wallsOffLegend()->isVisible());
     // The most that is off there, within a metre.
     const auto most = [&](double x_m, double y_m) {
       double most_m = 0;
-      for (const align::OffWall& wall : marks.shown()) {
+      for (const scene::OffWall& wall : marks.shown()->walls) {
         if ((wall.at_m - Eigen::Vector2d(x_m, y_m)).norm() < 0.1) most_m = std::max(most_m, wall.off_m);
       }
       return most_m;
@@ -546,9 +546,27 @@ class TestWindowReference : public QObject {
         }(),
         false);
     const QPoint there = bench.at(9.6, 6.7);
-    QTRY_COMPARE(bench.window->view()->viewport()->grab().toImage().pixelColor(there), offColor(2));
+    QTRY_COMPARE(bench.window->view()->viewport()->grab().toImage().pixelColor(there), scene::offColor(2));
+    // The box and the eye of the layer are one.
+    scene::MapScene& map = *bench.window->mapScene();
+    QVERIFY(map.layerVisible(scene::Layer::WallsOff));
+    QVERIFY(map.layerBounds(scene::Layer::WallsOff).contains({9.6, 6.7}));
+    const auto legendRows = [&] {
+      for (const scene::LegendSection& section : map.legend(1)) {
+        if (section.title == scene::layerTitle(scene::Layer::WallsOff)) return section.rows.size();
+      }
+      return std::size_t(0);
+    };
+    QCOMPARE(legendRows(), std::size_t(3));
+    map.setLayerVisible(scene::Layer::WallsOff, false);
+    QVERIFY(!bench.dock()->wallsOffBox()->isChecked());
+    QVERIFY(!marks.shown());
+    QCOMPARE(legendRows(), std::size_t(0));
+    map.setLayerVisible(scene::Layer::WallsOff, true);
+    QTRY_VERIFY(!marks.running() && marks.shown());
+    QVERIFY(bench.dock()->wallsOffBox()->isChecked());
     QTest::keyClick(bench.dock()->wallsOffBox(), Qt::Key_Space);
-    QVERIFY(marks.shown().empty());
+    QVERIFY(!marks.shown());
     QVERIFY(!bench.dock()->wallsOffLegend()->isVisible());
   }
 
@@ -557,13 +575,13 @@ class TestWindowReference : public QObject {
     bench.openOn(Site::rooms(), Site::rooms());
     const WallsOffMarks& marks = bench.reference()->wallsOff();
     QTest::keyClick(bench.dock()->wallsOffBox(), Qt::Key_Space);
-    QTRY_VERIFY(!marks.running());
-    QVERIFY(marks.shown().empty());
+    QTRY_VERIFY(!marks.running() && marks.shown());
+    QVERIFY(marks.shown()->walls.empty());
     QVERIFY(!bench.dock()->wallsOffLegend()->isVisible());
     bench.dock()->xBox()->setValue(0.4);
-    QTRY_VERIFY(!marks.running() && !marks.shown().empty());
+    QTRY_VERIFY(!marks.running() && marks.shown() && !marks.shown()->walls.empty());
     bench.dock()->removeButton()->click();
-    QVERIFY(marks.shown().empty());
+    QVERIFY(!marks.shown());
     QVERIFY(!bench.dock()->wallsOffBox()->isEnabled());
   }
 

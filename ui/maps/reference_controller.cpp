@@ -168,13 +168,20 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(dock_, &ReferenceDock::alignCancelled, this, &ReferenceController::forgetAlignment);
   connect(dock_, &ReferenceDock::candidateWanted, this, &ReferenceController::layCandidate);
   connect(dock_, &ReferenceDock::differencesWanted, this, &ReferenceController::syncDifferences);
+  connect(dock_->wallsOffBox(), &QCheckBox::toggled, this,
+          [this](bool on) { context_.scene.setLayerVisible(scene::Layer::WallsOff, on); });
+  connect(&context_.scene, &scene::MapScene::layersChanged, this, [this] {
+    const QSignalBlocker quiet(dock_->wallsOffBox());
+    dock_->wallsOffBox()->setChecked(context_.scene.layerVisible(scene::Layer::WallsOff));
+    syncDifferences();
+  });
   connect(dock_, &ReferenceDock::swipeWanted, this, [this] {
     map::WholeMap map = read_map_;
     map.grid.origin = laid_.pose * map.grid.origin;
     Q_EMIT swipeWanted(map);
   });
   connect(&walls_off_, &WallsOffMarks::found, this,
-          [this] { dock_->setWallsOff(walls_off_.shown().empty()); });
+          [this] { dock_->setWallsOff(walls_off_.shown()->walls.empty()); });
   connect(&slot_, &session::MapSlot::changed, this, &ReferenceController::show);
   connect(&slot_, &session::MapSlot::rowsArrived, this, [this] { context_.scene.referenceRowsArrived(); });
 }
@@ -432,7 +439,8 @@ void ReferenceController::show() {
                                                                         : nullptr;
   const bool whole = there && slot_.settled() && from;
   Q_EMIT laidChanged(
-      whole ? std::optional(LaidMap{{slot_.cells(), slot_.reference()}, laid_.pose, from, slot_.key()})
+      whole ? std::optional(
+                  LaidMap{{slot_.cells(), slot_.reference()}, laid_.pose, from, slot_.key(), read_map_.name})
             : std::nullopt);
 }
 
@@ -609,7 +617,7 @@ void ReferenceController::syncDifferences() {
   context_.scene.setReferenceDifferences(there && whole && dock_->differencesBox()->isChecked());
   const bool both = isRead() && whole && session->wholeMap().settled();
   std::optional<WallsOffMarks::Subject> marked;
-  if (both && dock_->wallsOffBox()->isChecked()) {
+  if (both && context_.scene.layerVisible(scene::Layer::WallsOff)) {
     marked = {{slot_.cells(), slot_.reference()},
               {session->wholeMap().cells(), session->wholeMap().reference()},
               laid_.pose};

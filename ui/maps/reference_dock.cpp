@@ -25,9 +25,9 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
-#include "ui/maps/walls_off_marks.h"
 #include "ui/scene/lengths.h"
 #include "ui/scene/map_theme.h"
+#include "ui/scene/walls_off.h"
 #include "words/fixed.h"
 
 namespace mapwright::ui {
@@ -44,10 +44,10 @@ class OffStep : public QWidget {
   void paintEvent(QPaintEvent*) override {
     // As a piece of a wall on free ground.
     const scene::MapTheme theme = appColors().dark ? scene::darkMapTheme() : scene::lightMapTheme();
-    const double thick = kOffMarks_px[step_];
+    const double thick = scene::kOffMarks_px[step_];
     QPainter painter(this);
     painter.fillRect(QRectF(0, (height() - kSymbolPx) / 2.0, kSymbolPx, kSymbolPx), QColor(theme.map.free));
-    painter.fillRect(QRectF(0, (height() - thick) / 2, kSymbolPx, thick), offColor(step_));
+    painter.fillRect(QRectF(0, (height() - thick) / 2, kSymbolPx, thick), scene::offColor(step_));
   }
 
  private:
@@ -127,7 +127,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
     shows->add(shown);
   auto* const legend = new WrappingRow(QMargins(), 10);
   const QString steps[] = {tr("over 10 cm"), tr("over 30 cm"), tr("over 1 m")};
-  for (std::size_t step = 0; step < kOffSteps_m.size(); ++step)
+  for (std::size_t step = 0; step < scene::kOffSteps_m.size(); ++step)
     legend->add(new OffStep(step, steps[step], legend_));
   legend_->setLayout(legend);
   auto* const carries = new WrappingRow(QMargins(), 8);
@@ -164,7 +164,6 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(best_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(false); });
   connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
   connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
-  connect(walls_off_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
   connect(swipe_, &QPushButton::clicked, this, &ReferenceDock::swipeWanted);
   connect(carry_, &QPushButton::clicked, this, &ReferenceDock::carryWanted);
   connect(carry_overlays_, &QPushButton::clicked, this, &ReferenceDock::carryOverlaysWanted);

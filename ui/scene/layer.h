@@ -36,6 +36,7 @@ namespace mapwright::ui::scene {
   ROW(DispatchedCloud)        \
   ROW(Coverage)               \
   ROW(Disagreement)           \
+  ROW(WallsOff)               \
   ROW(Problems)               \
   ROW(Grid)                   \
   ROW(Overlays)               \

@@ -34,6 +34,7 @@
 #include "ui/scene/map_theme.h"
 #include "ui/scene/problem_marks.h"
 #include "ui/scene/track.h"
+#include "ui/scene/walls_off.h"
 
 namespace mapwright::render {
 class TileRenderer;
@@ -97,6 +98,7 @@ struct LayerContext {
   std::optional<MapObject> marked;                    // framed: what the user has chosen
   std::optional<Eigen::Vector2d> marker;              // a place that the user went to
   std::shared_ptr<const Track> track;                 // null = none
+  std::shared_ptr<const WallsOff> walls_off;          // null = none
   std::shared_ptr<const map::Closures> closures;      // null = none
   bool closures_chosen = false;                       // by a list: all of them are drawn
   std::shared_ptr<const agreement::Tiles> agreement;  // null = none

@@ -578,6 +578,13 @@ void MapScene::setReferenceDifferences(bool shown) {
   Q_EMIT layersChanged();
 }
 
+void MapScene::setWallsOff(std::shared_ptr<const WallsOff> walls) {
+  if (walls == items_->context.walls_off) return;
+  items_->context.walls_off = std::move(walls);
+  items_->update(Layer::WallsOff);
+  Q_EMIT layersChanged();  // the legend
+}
+
 bool MapScene::referenceDifferences() const { return items_->raster.referenceDifferences(); }
 
 void MapScene::setReferenceTrouble(std::optional<MapTrouble> trouble) {

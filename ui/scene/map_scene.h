@@ -55,6 +55,7 @@ struct TileRendererOptions;
 namespace mapwright::ui::scene {
 
 struct MapTheme;
+struct WallsOff;
 class SceneItems;
 
 class MapScene : public QGraphicsScene {
@@ -160,6 +161,8 @@ class MapScene : public QGraphicsScene {
   /// What differs between it and the whole map, in its place above the maps.
   void setReferenceDifferences(bool shown);
   bool referenceDifferences() const;
+  /// Walls that are far from those of the other map; null = not known.
+  void setWallsOff(std::shared_ptr<const WallsOff> walls);
   /// What is wrong with it; nullopt = all is well.
   void setReferenceTrouble(std::optional<MapTrouble> trouble);
   /// More of its cells have been read.
