@@ -13,6 +13,7 @@
 #include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/rehearsal_dock.h"
 #include "ui/scene/map_scene.h"
+#include "ui/view/map_view.h"
 
 namespace test_window_rehearsal {
 
@@ -194,6 +195,30 @@ class TestWindowRehearsal : public QObject {
     QVERIFY(bench.way_dock().said().startsWith(QLatin1String("way.csv: ")));
   }
 
+  /// Both maps have the same coordinates, and both parts lie on free ground.
+  void ofARecordingOnTwoMapsThePartOfThisMapIsRehearsed() {
+    RehearsalBench bench;
+    bench.bag = &bench.one;
+    for (const auto& [map, y_m] : {std::pair(0, 4.0), {1, 8.0}}) {
+      map::MapInfo info;
+      info.name = "Hall", info.uid = map == 0 ? "u-other" : "u-site";
+      bench.one.add(1'717'405'200 + map * 50, info);
+      for (int i = 1; i <= 40 - 10 * map; ++i)
+        bench.one.add(1'717'405'200 + map * 50 + i * 0.2, map::TrackedPose{{7 + i * 0.1, y_m, 0}});
+    }
+    bench.openHall();
+    bench.reference()->removeMap();
+    bench.robot->maps.entries[0].uid = "u-site";
+    bench.window->session()->catalogue().refresh();
+    QTRY_VERIFY(bench.window->session()->catalogue().find({map::MapKind::Stored, "1"})->uid == "u-site");
+    bench.rehearsal().rehearse(bench.folder.filePath(QStringLiteral("run.mcap")));
+    bench.waitForWay();
+    const QString said = bench.way_dock().said();
+    QVERIFY2(said.startsWith(QLatin1String("run.mcap: 2.9 m")), qPrintable(said));
+    QVERIFY2(said.contains(QLatin1String("Driven on another map, not rehearsed: 3.9 m.")), qPrintable(said));
+    QVERIFY2(!said.contains(QLatin1String("not known: the part")), qPrintable(said));
+  }
+
   void aRecordingWithoutAnEndIsSaid() {
     RehearsalBench bench;
     bench.bag = &bench.one;
@@ -309,6 +334,69 @@ class TestWindowRehearsal : public QObject {
     said(bench.put("none.csv", "stamp_s,x_m,y_m\n1,nan,2\n"), "It has no position of the robot.");
     said(bench.folder.filePath(QStringLiteral("missing.csv")), "No such file");
     said(bench.put("run.mcap", "nothing"), "This is no recording.");
+  }
+
+  void whatWasShownStaysWhereTheNextOneFails() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.reference()->removeMap();
+    const auto fails = [&](const QString& path) {
+      bench.rehearsal().rehearse(path);
+      QTRY_VERIFY2(bench.way_dock().said().contains(QLatin1String("Still shown: way.csv: 6.0 m.")),
+                   qPrintable(bench.way_dock().said()));
+      QCOMPARE(bench.rehearsal().shown().size(), 3U);
+      QCOMPARE(bench.way_dock().table()->model()->rowCount(), 1);
+    };
+    bench.rehearsal().rehearse(bench.wayFile(false));
+    bench.waitForWay();
+    fails(bench.put("other.csv", "Hello\n"));
+    QVERIFY2(bench.way_dock().said().startsWith(QLatin1String("other.csv: This is no track.")),
+             qPrintable(bench.way_dock().said()));
+    fails(bench.put("run.mcap", "nothing"));
+    fails(bench.put("none.csv", "stamp_s,x_m,y_m\n1,nan,2\n"));
+    // It is that one which is read again, and which another radius is for.
+    QTest::mouseClick(bench.way_dock().againButton(), Qt::LeftButton);
+    QTRY_VERIFY2(bench.way_dock().said().startsWith(QLatin1String("way.csv: 6.0 m.")),
+                 qPrintable(bench.way_dock().said()));
+    QFile::remove(bench.folder.filePath(QStringLiteral("way.csv")));
+    fails(bench.folder.filePath(QStringLiteral("way.csv")));
+    // Elsewhere it does not hold.
+    bench.lay();
+    bench.dock()->xBox()->setValue(1);
+    QTRY_VERIFY(bench.rehearsal().shown().empty());
+    bench.rehearsal().rehearse(bench.put("other.csv", "Hello\n"));
+    QTRY_VERIFY(bench.way_dock().said().startsWith(QLatin1String("This is no track.")));
+    QVERIFY(bench.rehearsal().shown().empty());
+  }
+
+  /// Dashes of one would fill the gaps of the other.
+  void dashesOfAWayThatComesByAgainStayDashes() {
+    RehearsalBench bench;
+    bench.openHall();
+    bench.reference()->removeMap();
+    bench.way_dock().radiusBox()->setValue(0.8);
+    QByteArray text = "stamp_s,x_m,y_m\n";
+    for (int lap = 0; lap < 4; ++lap) {
+      for (int i = 0; i <= 20; ++i)
+        text += QByteArray::number(lap * 20 + i * 0.5, 'f', 3) + ',' +
+                QByteArray::number(lap % 2 == 0 ? 10 + i * 0.05 : 11.013 - i * 0.05) + ",7.0\n";
+    }
+    bench.rehearsal().rehearse(bench.put("laps.csv", text));
+    bench.waitForWay();
+    QCOMPARE(bench.meets(0), QStringLiteral("too close to a wall"));
+    geometry::ViewTransform view = bench.window->mapScene()->view();
+    view.center_m = {10.5, 7};
+    view.scale_m_per_px = 0.005;
+    bench.window->view()->moveTo(view, false);
+    const QColor dash = bench.window->mapScene()->theme().warn;
+    const auto share = [&] {
+      const QImage seen = bench.window->view()->viewport()->grab().toImage();
+      int drawn = 0, all = 0;
+      for (int x = bench.at(10.1, 7).x(); x < bench.at(10.9, 7).x(); ++x, ++all)
+        drawn += seen.pixelColor(x, bench.at(10.1, 7).y()) == dash;
+      return double(drawn) / all;
+    };
+    QTRY_VERIFY2(share() > 0.6 && share() < 0.92, qPrintable(QString::number(share())));
   }
 
   void withoutAWholeMapNothingIsRehearsed() {

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <tl/expected.hpp>
 
+#include "map/map_identity.h"
 #include "render/sample_grid.h"
 #include "robot/bag_library.h"
 #include "robot/robot.h"
@@ -71,12 +72,19 @@ class RehearsalController : public Controller {
   void readFile();
   /// Writes its track first.
   void readRecording(robot::BagLibrary& library, const robot::BagKey& key);
+  /// Beside the one of what is shown.
+  QString newTrackFile() const;
   /// On a thread beside the pool.
   void run(const QString& track_file);
+  /// What the map is called that the way was driven on.
+  map::MapIdentity drivenOn() const;
   void onRehearsed(const carry::Rehearsed& way);
+  void show(const QString& said);
   /// A file is read again when anything beside it is saved: that is no other map.
-  bool sameCells() const;
+  bool sameCells(const Ground& ground) const;
   void forget(const QString& said);
+  /// What was there before the reading comes back, if it still holds; otherwise there is nothing, and why.
+  void fail(const QString& why, const QString& why_nothing = {});
   /// Until it is known what it crosses.
   void wait(const QString& said);
   void onEdited();
@@ -94,7 +102,17 @@ class RehearsalController : public Controller {
   QString lost_;                      // what its recording lacks; empty = nothing
   std::optional<Ground> ground_;      // that it is rehearsed on
   bool edited_ = false;               // that has been painted on since then
-  double told_m_ = 0;                 // the radius that the robot reports, or the usual one
+  /// The last one that was shown.
+  struct Good {
+    QString path;
+    std::optional<robot::BagKey> bag;
+    QString track_file, lost, said;
+    Ground ground;
+    std::vector<carry::Stretch> stretches, crossed;
+    bool edited = false;
+  };
+  std::optional<Good> good_;
+  double told_m_ = 0;  // the radius that the robot reports, or the usual one
   std::vector<carry::Stretch> crossed_;
   QTemporaryDir folder_;
   std::unique_ptr<robot::Robot> origin_;  // of the recording
