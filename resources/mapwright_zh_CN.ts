@@ -6101,6 +6101,18 @@
         <source>With a warning</source>
         <translation>有警告</translation>
     </message>
+    <message>
+        <source>Walls off by more than 10 cm</source>
+        <translation>墙偏差超过 10 cm</translation>
+    </message>
+    <message>
+        <source>Walls off by more than 30 cm</source>
+        <translation>墙偏差超过 30 cm</translation>
+    </message>
+    <message>
+        <source>Walls off by more than 1 m</source>
+        <translation>墙偏差超过 1 m</translation>
+    </message>
 </context>
 <context>
     <name>MapByRegions</name>
@@ -8052,6 +8064,14 @@ Do you want to delete it anyway?</source>
     <message>
         <source>Driven on another map, not rehearsed: %1 m.</source>
         <translation>在另一张地图上行驶，未预演：%1 m。</translation>
+    </message>
+    <message>
+        <source>By what is recorded, it was driven on another map.</source>
+        <translation>根据录制内容，它是在另一张地图上行驶的。</translation>
+    </message>
+    <message>
+        <source>The robot was on several maps, and which of them is meant is not known: the part that fits best is rehearsed.</source>
+        <translation>机器人曾在多张地图上，无法得知指的是哪一张：预演最吻合的那一段。</translation>
     </message>
 </context>
 <context>
@@ -13130,6 +13150,10 @@ Expected at %2</source>
     <message>
         <source>Show it</source>
         <translation>显示它</translation>
+    </message>
+    <message>
+        <source>Other changes to this map are still unsaved.</source>
+        <translation>此地图的其他更改尚未保存。</translation>
     </message>
 </context>
 <context>
@@ -19115,8 +19139,8 @@ Theirs: %6</source>
         <translation>录制到文件继续进行。</translation>
     </message>
     <message>
-        <source>Recorded to %1, but it is incomplete: %2.</source>
-        <translation>已录制到 %1，但不完整：%2。</translation>
+        <source>Recorded to %1, but it is incomplete: %2</source>
+        <translation>已录制到 %1，但不完整：%2</translation>
     </message>
 </context>
 <context>
@@ -19912,6 +19936,14 @@ Theirs: %6</source>
     <message>
         <source>Connect to a robot to see its recordings.</source>
         <translation>连接机器人后才能看到它的录制文件。</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>Still shown: %1</source>
+        <translation>仍在显示：%1</translation>
     </message>
 </context>
 <context>
@@ -23666,6 +23698,10 @@ Theirs: %6</source>
         <source>Average</source>
         <translation>平均</translation>
     </message>
+    <message>
+        <source>Walls that are off</source>
+        <translation>有偏差的墙</translation>
+    </message>
 </context>
 <context>
     <name>session</name>
@@ -24831,16 +24867,28 @@ Qt %2，编译时为 %3</translation>
         <translation>已略去：机器人的地址和名称 (robot-1、robot-2…)、密钥、主文件夹、用户名和计算机名。地图、文件和话题的名称仍在其中，一两个字母的名称也是。</translation>
     </message>
     <message>
-        <source>reconnecting%1</source>
-        <translation>正在重新连接%1</translation>
+        <source>Turn</source>
+        <translation>旋转</translation>
     </message>
     <message>
-        <source>reconnecting now%1</source>
-        <translation>现在重新连接%1</translation>
+        <source>Regions</source>
+        <translation>分块</translation>
     </message>
     <message>
-        <source>reconnecting in %1 s%2</source>
-        <translation>%1 s 后重新连接%2</translation>
+        <source>reconnecting%1%2</source>
+        <translation>正在重新连接%1%2</translation>
+    </message>
+    <message>
+        <source>reconnecting now%1%2</source>
+        <translation>现在重新连接%1%2</translation>
+    </message>
+    <message>
+        <source>reconnecting in %1 s%2%3</source>
+        <translation>%1 s 后重新连接%2%3</translation>
+    </message>
+    <message>
+        <source>refused%1</source>
+        <translation>被拒绝%1</translation>
     </message>
 </context>
 <context>

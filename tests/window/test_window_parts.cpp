@@ -96,7 +96,7 @@ class TestWindowParts : public QObject {
  private Q_SLOTS:
   void putsActionsWhereTheySayWheneverTheyCome() {
     Actions actions;
-    actions.add({.id = "late", .text = QStringLiteral("Late"), .menu = {MenuGroup::Turn, 20}});
+    actions.add({.id = "late", .text = QStringLiteral("Late"), .menu = {MenuGroup::Look, 20}});
     actions.add({.id = "helps", .text = QStringLiteral("Helps"), .menu = {MenuGroup::Finding, 10}});
     actions.add({.id = "first",
                  .text = QStringLiteral("First"),
@@ -104,10 +104,10 @@ class TestWindowParts : public QObject {
                  .bar = {BarGroup::Look, 20}});
     actions.add({.id = "early",
                  .text = QStringLiteral("Early"),
-                 .menu = {MenuGroup::Turn, 10},
+                 .menu = {MenuGroup::Look, 10},
                  .bar = {BarGroup::Robot, 10}});
     actions.add({.id = "nowhere", .text = QStringLiteral("Nowhere"), .bar = {BarGroup::Look, 10}});
-    actions.add({.id = "also", .text = QStringLiteral("Also"), .menu = {MenuGroup::Turn, 20}});
+    actions.add({.id = "also", .text = QStringLiteral("Also"), .menu = {MenuGroup::Look, 20}});
     QMainWindow window;
     fillMenuBar(*window.menuBar(), actions);
     QCOMPARE(window.menuBar()->actions().size(), 2);
@@ -153,16 +153,16 @@ class TestWindowParts : public QObject {
                             "invertWaypoints nextWarning revertWaypoints pictureTool pictureCopies "
                             "overlayTool * copyWaypoints pasteWaypoints "
                             "importWaypoints exportWaypoints referenceTool"));
-    QCOMPARE(
-        idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
-        QStringLiteral(
-            "zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft "
-            "rotateRight - pan "
-            "measure fetchRegion cloudRegion cloudSection projections - "
-            "compare referenceMap alignMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
-            "mapProperties - "
-            "copyCoordinates "
-            "screenshotCopy screenshotSave"));
+    QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
+             QStringLiteral("zoomIn zoomOut native fit - follow goTo identify - * - pan "
+                            "measure cloudRegion cloudSection projections - "
+                            "compare referenceMap alignMap mapProperties - * - "
+                            "copyCoordinates "
+                            "screenshotCopy screenshotSave"));
+    QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&Map"), "Turn")->actions()),
+             words("northUp robotTurn rotateLeft rotateRight"));
+    QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&Map"), "Regions")->actions()),
+             words("fetchRegion refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture "
                             "layerPresetsMenu - * * * * * - filter findObject focusMap nextPane previousPane "

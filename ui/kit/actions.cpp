@@ -191,6 +191,10 @@ QString menuName(Menu menu) { return withoutMnemonic(menuTitle(menu)); }
 
 QString submenuTitle(MenuGroup group) {
   switch (group) {
+    case MenuGroup::Turn:
+      return QCoreApplication::translate("window", "Turn");
+    case MenuGroup::Regions:
+      return QCoreApplication::translate("window", "Regions");
     case MenuGroup::Colors:
       return QCoreApplication::translate("window", "Colours of submaps");
     case MenuGroup::Theme:

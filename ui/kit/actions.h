@@ -52,6 +52,7 @@ enum class MenuGroup {
   Turn,
   Tools,
   WholeMap,
+  Regions,
   Copies,
   // View
   Maps,

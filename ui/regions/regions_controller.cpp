@@ -229,7 +229,7 @@ void RegionsController::addActions() {
                                    .text = tr("Re&fetch the regions"),
                                    .icon = "retry",
                                    .tip = tr("Fetch all visible regions again"),
-                                   .menu = {MenuGroup::WholeMap, 30}},
+                                   .menu = {MenuGroup::Regions, 30}},
                                   this, [this] {
                                     if (map_) map_->refresh();
                                   });
@@ -244,18 +244,18 @@ void RegionsController::addActions() {
   }
   connect(every_, &QActionGroup::triggered, this,
           [this](const QAction* action) { setRefreshEvery(action->data().toInt()); });
-  context_.actions.addToMenu({MenuGroup::WholeMap, 40}, menu->menuAction());
+  context_.actions.addToMenu({MenuGroup::Regions, 40}, menu->menuAction());
   fetch_whole_ = context_.actions.add({.id = "fetchWholeMap",
                                        .text = tr("Fetch the &whole map…"),
                                        .icon = "download",
                                        .tip = tr("Fetch the robot's whole map at once"),
-                                       .menu = {MenuGroup::WholeMap, 50}},
+                                       .menu = {MenuGroup::Regions, 50}},
                                       map_fetch_.get(), &MapFetch::fetchWhole);
   save_map_ = context_.actions.add({.id = "saveMapOnRobot",
                                     .text = tr("&Save the map on the robot…"),
                                     .icon = "download",
                                     .tip = tr("The robot writes its map to a file on its own disk"),
-                                    .menu = {MenuGroup::WholeMap, 60}},
+                                    .menu = {MenuGroup::Regions, 60}},
                                    this, &RegionsController::saveOnRobot);
   fetch_region_ =
       context_.actions.add({.id = "fetchRegion",
@@ -263,7 +263,7 @@ void RegionsController::addActions() {
                             .icon = "rectangle",
                             .tip = tr("Draw a rectangle to fetch it, then save it or keep it on screen"),
                             .toggle = true,
-                            .menu = {MenuGroup::Tools, 30}});
+                            .menu = {MenuGroup::Regions, 10}});
   context_.tools.add(tool_, fetch_region_);
   setRefreshEvery(0);
 }
