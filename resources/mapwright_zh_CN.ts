@@ -361,6 +361,18 @@
         <source>Aligned by the pairs of points. %1</source>
         <translation>已按这些点对对齐。%1</translation>
     </message>
+    <message>
+        <source>A part lies %1 cm beside, near (%2, %3) of the new map: look there.</source>
+        <translation>有一部分偏移了 %1 cm，位于新地图的 (%2, %3) 附近：请查看那里。</translation>
+    </message>
+    <message>
+        <source>It is about right, but the walls that both maps show do not hold it to 5 cm and 0.3 degrees. Two points that are on both maps align them by hand.</source>
+        <translation>位置大致正确，但两张地图都能看到的墙不足以将其确定到 5 cm 和 0.3 度以内。可用两张地图上都有的两个点手动对齐。</translation>
+    </message>
+    <message>
+        <source>The walls agree, but as good as no furniture does: it may be another floor of the same shape. If you know that it is not, give one point that is on both maps.</source>
+        <translation>墙是一致的，但几乎没有一件家具一致：可能是形状相同的另一楼层。如果您知道不是，请给出一个在两张地图上都有的点。</translation>
+    </message>
 </context>
 <context>
     <name>CarryText</name>

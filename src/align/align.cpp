@@ -12,6 +12,8 @@
 #include "align/disputed.h"
 #include "align/each.h"
 #include "align/fit.h"
+#include "align/furniture.h"
+#include "align/held.h"
 #include "align/sheet.h"
 #include "align/turn_search.h"
 
@@ -91,6 +93,27 @@ double overlapOf(const Plan& old_map, const Plan& new_map, const Sheets& sheets,
                      : 0;
 }
 
+/// What brings the walls of a square to those of the other map.
+struct Shift {
+  Eigen::Vector2d by_m{0, 0};
+  OffSquare square;
+};
+
+/// The worst of those that have a neighbour which is shifted alike; furniture that was moved has none.
+std::optional<OffSquare> partOf(const std::map<std::pair<int, int>, Shift>& shifts) {
+  constexpr double kAlike_m = 0.06;
+  std::optional<OffSquare> worst;
+  for (const auto& [at, one] : shifts) {
+    const bool joined = std::any_of(shifts.begin(), shifts.end(), [&](const auto& entry) {
+      const auto& [other_at, other] = entry;
+      const int apart = std::max(std::abs(at.first - other_at.first), std::abs(at.second - other_at.second));
+      return apart == 1 && (one.by_m - other.by_m).norm() < kAlike_m;
+    });
+    if (joined && (!worst || one.square.off_m > worst->off_m)) worst = one.square;
+  }
+  return worst;
+}
+
 void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreement) {
   constexpr std::size_t kFewest = 10;  // cells of walls; fewer are a speck
   struct Square {
@@ -108,6 +131,7 @@ void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreeme
   const Points alike = facedAlike(sheets, sheets.of_old.walls(), sheets.of_new.walls(), transform);
   const WallIndex old_walls(alike.of_old), new_walls(alike.of_new);
   const Pose2 back = transform.inverse();
+  std::map<std::pair<int, int>, Shift> shifts;
   for (auto& [square, held] : squares) {
     std::vector<double>& distances = held.distances;
     // Of the others too little is known to tell.
@@ -118,13 +142,17 @@ void addSquares(const Sheets& sheets, const Pose2& transform, Agreement& agreeme
     const Eigen::Vector2d at = kSquare_m * Eigen::Vector2d(square.first + 0.5, square.second + 0.5);
     const Eigen::Vector2d old_m = back.apply(at);
     const auto fitted_there = fittedAround(sheets, old_walls, new_walls, transform, old_m);
-    const double shift_m = fitted_there ? (fitted_there->apply(old_m) - at).norm() : 0;
-    agreement.shifted += shift_m > kOff_m;
+    const Eigen::Vector2d shift =
+        fitted_there ? Eigen::Vector2d(fitted_there->apply(old_m) - at) : Eigen::Vector2d(0, 0);
+    const double shift_m = shift.norm();
+    if (shift_m > kOff_m) shifts[square] = {shift, {at, distances.size(), shift_m}};
     if (const double off_m = std::max(*middle, shift_m); off_m > kOff_m)
       agreement.off.push_back({at, distances.size(), off_m});
   }
   std::stable_sort(agreement.off.begin(), agreement.off.end(),
                    [](const OffSquare& a, const OffSquare& b) { return a.off_m > b.off_m; });
+  agreement.shifted = shifts.size();
+  agreement.part = partOf(shifts);
 }
 
 Agreement agreementOn(const Plan& old_map, const Plan& new_map, const Sheets& sheets,
@@ -305,20 +333,23 @@ bool bent(const Agreement& agreement, const Bend& bend, double cell_m) {
   // Coarse cells, fewer too, are bent a little by furniture alone.
   const double coarse = std::max(1.0, cell_m / 0.05), least_m = 0.035 * coarse,
                gain = 0.007 * coarse * coarse;
-  return (agreement.shifted > 1 && shifted > kShifted) || (bend.off_m > least_m && bend.gain > gain);
+  // Two places alone are furniture unless they belong together.
+  const bool several = agreement.shifted > 2 || agreement.part.has_value();
+  return (several && shifted > kShifted) || (bend.off_m > least_m && bend.gain > gain);
 }
 
 /// The best and the second best of `found`, and what speaks against the best.
 void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheets& fine,
-           const std::vector<Ranked>& found, const std::optional<Ranked>& mirrored, bool by_pair) {
+           std::vector<Ranked> found, const std::optional<Ranked>& mirrored, bool by_pair) {
   constexpr double kGood = 0.4, kOverlap = 0.2, kSeen = 0.25;
   if (found.empty() || !(found[0].quality.score() > 0)) return;
-  const Ranked& best = found.front();
+  const Points points = pointsOf(fine, kFinePoints);
+  Ranked& best = found.front();
+  best.pose = sharpened(fine, points, best.pose);
   const double score = best.quality.score();
   out.best = Candidate{best.pose, score};
   if (found.size() > 1) out.second = Candidate{found[1].pose, found[1].quality.score()};
   out.agreement = agreementOn(old_map, new_map, fine, best.pose);
-  const Points points = pointsOf(fine, kFinePoints);
   const double cell_m = std::max(old_map.resolution_m, new_map.resolution_m);
   out.doubt = out.agreement.overlap < kOverlap || best.quality.seen < kSeen           ? Doubt::LittleSeen
               : !by_pair && mirroredFitsBetter(new_map, fine, points, best, mirrored) ? Doubt::Mirrored
@@ -326,6 +357,8 @@ void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheet
               : ambiguous(fine, points, found)                                        ? Doubt::Ambiguous
               : !by_pair && slides(fine, points, best)                                ? Doubt::Slides
               : bent(out.agreement, bendOf(fine, points, best.pose), cell_m)          ? Doubt::Bent
+              : !heldByWalls(fine, points, best.pose)                                 ? Doubt::Loose
+              : !by_pair && furnitureOf(old_map, new_map, best.pose).allDiffers()     ? Doubt::OtherFloor
                                                                                       : Doubt::None;
 }
 
@@ -361,7 +394,7 @@ std::optional<Alignment> alignPlans(const Plan& old_full, const Plan& new_full, 
     if (cancelled) return std::nullopt;
     if (!others.empty()) mirrored = others.front();
   }
-  judge(out, old_map, new_map, fine, found, mirrored, by_pair);
+  judge(out, old_map, new_map, fine, std::move(found), mirrored, by_pair);
   if (by_pair && out.best) out.pair_residuals_m = leftAt(options.pairs, out.best->transform);
   if (!step(0.95, 1)(1.0)) return std::nullopt;
   return out;

@@ -49,6 +49,8 @@ struct Agreement {
   std::size_t squares = 0;     // with walls of the old map that can be compared
   std::vector<OffSquare> off;  // those of them that are off by more than kOff_m, the worst first
   std::size_t shifted = 0;     // those whose walls fit elsewhere nearby: a bent map has many
+  /// The worst of neighbours that are shifted alike: a part of the building lies beside.
+  std::optional<OffSquare> part;
   bool operator==(const Agreement&) const = default;
 };
 
@@ -61,6 +63,8 @@ enum class Doubt {
   Bent,               // in many places the walls fit a little beside
   LittleSeen,         // too little of the maps lies in both
   Ambiguous,          // another one is about as good
+  Loose,              // what both maps show does not hold it to 5 cm and 0.3 degrees
+  OtherFloor,         // the walls agree, and as good as no piece of furniture
   Slides,             // it can be moved along a corridor and fits as well
   Mirrored,           // it fits better when one map is mirrored
   PairsDisagree,      // points by hand that no rigid transform brings together

@@ -15,6 +15,15 @@ struct AlignmentText {
 QString figure(double value, int digits) { return QLocale::c().toString(value, 'f', digits); }
 QString percent(double share) { return figure(share * 100, 0); }
 
+/// What does not fit with the rest; empty when all does.
+QString partText(const Agreement& agreement) {
+  if (!agreement.part) return {};
+  return QLatin1Char(' ') +
+         AlignmentText::tr("A part lies %1 cm beside, near (%2, %3) of the new map: look there.")
+             .arg(figure(agreement.part->off_m * 100, 0), figure(agreement.part->middle_m.x(), 1),
+                  figure(agreement.part->middle_m.y(), 1));
+}
+
 QString pairHint(const Alignment& alignment) {
   return alignment.pair_residuals_m.empty()
              ? AlignmentText::tr("Give one point that is on both maps; it decides between the candidates.")
@@ -50,6 +59,14 @@ QString doubtText(const Alignment& alignment) {
     case Doubt::Ambiguous:
       return AlignmentText::tr("The maps fit in more than one way, about equally well. %1")
           .arg(pairHint(alignment));
+    case Doubt::Loose:
+      return AlignmentText::tr(
+          "It is about right, but the walls that both maps show do not hold it to 5 cm and 0.3 degrees. Two "
+          "points that are on both maps align them by hand.");
+    case Doubt::OtherFloor:
+      return AlignmentText::tr(
+          "The walls agree, but as good as no furniture does: it may be another floor of the same shape. If "
+          "you know that it is not, give one point that is on both maps.");
     case Doubt::Slides:
       return AlignmentText::tr(
                  "The maps can be moved against each other and still fit, as along a corridor. "
@@ -108,7 +125,8 @@ QString alignmentText(const Alignment& alignment) {
   if (!alignment.sure()) return AlignmentText::tr("Not sure. %1").arg(doubtText(alignment));
   const QString share =
       AlignmentText::tr("%1 % of the old map's walls have a wall of the new map within 10 cm.")
-          .arg(percent(alignment.agreement.forward.within_10cm));
+          .arg(percent(alignment.agreement.forward.within_10cm)) +
+      partText(alignment.agreement);
   if (alignment.pair_residuals_m.empty())
     return AlignmentText::tr("Sure: the maps fit in one way only. %1").arg(share);
   if (alignment.pair_residuals_m.size() == 1) {

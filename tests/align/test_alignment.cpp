@@ -2,10 +2,13 @@
 // MAPWRIGHT_TEST_SEEDS asks for more random sites, MAPWRIGHT_TEST_MAPS for real ones (pictures of 5 cm a
 // cell, separated by colons); the counts are printed (docs/measured.md).
 #include <array>
+#include <functional>
+#include <optional>
 
 #include <QtTest>
 
 #include "align/align.h"
+#include "align/furniture.h"
 #include "align/plan_of.h"
 #include "buildings.h"
 #include "grids/grid_pyramid.h"
@@ -171,6 +174,46 @@ Plan suites(int count) {
     fill(plan, left, 2, left + kSuite - 4, kDeep - 3, Ground::Free);
     fill(plan, left + 10, kDeep - 2, left + 28, kDeep - 1, Ground::Free);
     fill(plan, left + 40, 2, left + 60, 30, Ground::Wall);
+  }
+  return plan;
+}
+
+/// Closed rooms with 10 cm between their faces. Of each five the first one was entered, and `own`.
+Plan closedRooms(int own) {
+  Chance chance(3);
+  Plan plan;
+  plan.width = 600;
+  plan.height = 420;
+  plan.resolution_m = 0.05;
+  plan.cells.assign(std::size_t(plan.width) * std::size_t(plan.height), Ground::Unknown);
+  int rooms = 0;
+  for (int low = 2, high = 0; low + 80 < plan.height; low = high + 4) {
+    high = low + int(chance.between(56, 76));
+    for (int left = 2, right = 0; left + 100 < plan.width; left = right + 4) {
+      right = left + int(chance.between(56, 96));
+      if (const int room = rooms++ % 5; room != 0 && room != own) continue;
+      fill(plan, left - 1, low - 1, right + 1, high + 1, Ground::Wall);
+      fill(plan, left, low, right, high, Ground::Free);
+    }
+  }
+  return plan;
+}
+
+/// 20 m x 12 m with 32 desks, of which some stand 1.1 m farther to the right; nullopt: there is none.
+Plan roomWithDesks(const std::function<std::optional<bool>(int x, int y)>& moved) {
+  Plan plan;
+  plan.width = 400;
+  plan.height = 240;
+  plan.resolution_m = 0.05;
+  plan.cells.assign(std::size_t(plan.width) * std::size_t(plan.height), Ground::Wall);
+  fill(plan, 2, 2, plan.width - 3, plan.height - 3, Ground::Free);
+  for (int x = 0; x < 8; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      const std::optional<bool> there = moved(x, y);
+      if (!there) continue;
+      const int left = 20 + 46 * x + (*there ? 22 : 0), low = 25 + 55 * y;
+      fill(plan, left, low, left + 14, low + 24, Ground::Wall);
+    }
   }
   return plan;
 }
@@ -392,6 +435,29 @@ class TestAlignment : public QObject {
     QCOMPARE(align::agreementOf(left, right, {}).shifted, std::size_t(0));
     // The same side of it, moved: that is a shift.
     QVERIFY(align::agreementOf(left, left, {0.15, 0, 0}).shifted > 0);
+  }
+
+  void wallsSeenFromTheirTwoSidesDoNotPullTheMap() {
+    const Pose2 truth{7, -3, 0.6};
+    const Plan old_map = closedRooms(3);
+    const Alignment found = *align::alignPlans(old_map, mappedAgain(closedRooms(2), truth, 0.05));
+    QVERIFY(found.sure());
+    const Eigen::Vector2d middle =
+        0.5 * old_map.resolution_m * Eigen::Vector2d(old_map.width, old_map.height);
+    QVERIFY((found.best->transform.apply(middle) - truth.apply(middle)).norm() < 0.015);
+  }
+
+  void furnitureTellsAnotherFloorWithTheSameWalls() {
+    const Pose2 truth{3, 4, 0.8};
+    const Plan today = roomWithDesks([](int, int) { return false; });
+    const auto furniture = [&](const Plan& later) {
+      return align::furnitureOf(today, mappedAgain(later, truth, 0.05), truth);
+    };
+    QVERIFY(furniture(roomWithDesks([](int, int) { return true; })).allDiffers());
+    // Half of it was moved: it is the same floor. Nothing stands free: nothing tells.
+    QVERIFY(!furniture(roomWithDesks([](int x, int y) { return (x + y) % 2 == 0; })).allDiffers());
+    const Plan empty = roomWithDesks([](int, int) { return std::nullopt; });
+    QVERIFY(!align::furnitureOf(empty, empty, {}).allDiffers());
   }
 
   void aBentMapIsNotSure_data() {
