@@ -122,6 +122,7 @@ void printAlignment(const align::Alignment& found, std::optional<double> coarse_
 }
 
 CommandResult<int> mapsAlign(RobotCommand& command, const AlignArguments& args) {
+  command.answerByCode();
   const QString picture = text(args.diff_picture), printed = args.json ? QStringLiteral("-") : QString();
   if (const auto why = picture.isEmpty() ? std::nullopt : pngNotWritableReason(picture)) return wrong(*why);
   if (const auto why = notTogetherReason({picture, text(args.report), printed})) return sharedOutput(*why);

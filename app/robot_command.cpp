@@ -462,7 +462,8 @@ int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<
   if (isStandardOutput(report_path_)) leaveStandardOutputToReport();
   Deadline deadline(
       later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
-      [connected = connected_, path = report_path_, timeout_s = time_.timeout_s, robot = oneLine(robot)] {
+      [connected = connected_, late = late_, path = report_path_, timeout_s = time_.timeout_s,
+       robot = oneLine(robot)] {
         const QString sentence =
             *connected
                 ? Text::tr("Incomplete: the command did not finish within %1 s (--timeout).").arg(timeout_s)
@@ -470,7 +471,7 @@ int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<
                       .arg(robot, QString::number(timeout_s));
         if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
         sayAtTheEnd(sentence.toStdString());
-        return int(*connected ? kIncomplete : kUnreachable);
+        return *connected ? late->load() : int(kUnreachable);
       });
   OffscreenApplication application(argc, argv);
   const int exit_code = end(work(*this));

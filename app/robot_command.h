@@ -165,6 +165,8 @@ class RobotCommand {
 
   /// Of work that connects by itself: from now on a lack of time is no lack of a connection.
   void reportConnected() { connected_->store(true); }
+  /// Of work whose kIncomplete is an answer, as "not sure": when the time is over there is none.
+  void answerByCode() { late_->store(kUnreachable); }
 
   /// Sets up an application without a display, runs `work`, prints the final messages and returns the exit
   /// code. The process ends in time whatever `work` does.
@@ -181,6 +183,8 @@ class RobotCommand {
   std::vector<std::unique_ptr<RobotReading>> readings_;
   /// Of the first robot; shared with the deadline.
   std::shared_ptr<std::atomic<bool>> connected_ = std::make_shared<std::atomic<bool>>(false);
+  /// The exit code when the time is over; shared with the deadline.
+  std::shared_ptr<std::atomic<int>> late_ = std::make_shared<std::atomic<int>>(int(kIncomplete));
 };
 
 /// Adds a command that reads from a robot. `prepare`: completes the options before they are used.

@@ -136,6 +136,18 @@ class NewMapTest : public QObject {
     QVERIFY(!QFile::exists(program_->path("w.geojson")));
   }
 
+  void outOfTimeIsNotNotSure() {
+    Chance chance(12);
+    Plan large;
+    large.width = large.height = 3000;
+    large.resolution_m = 0.05;
+    large.cells.assign(std::size_t(large.width) * std::size_t(large.height), Ground::Free);
+    testing::furnish(large, chance, 4000);
+    putMap("large", large);
+    const tests::Ended late = run(QStringLiteral("maps align large.yaml large.yaml --timeout 0.5"));
+    QVERIFY2(late.code == 3 && late.err.contains(QLatin1String("--timeout")), qPrintable(late.err));
+  }
+
   void twoPairsByHandAreAResult() {
     const auto typed = [&](const Eigen::Vector2d& at) {
       const Eigen::Vector2d there = kTruth.apply(at);
