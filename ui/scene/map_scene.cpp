@@ -582,7 +582,6 @@ void MapScene::setWallsOff(std::shared_ptr<const WallsOff> walls) {
   if (walls == items_->context.walls_off) return;
   items_->context.walls_off = std::move(walls);
   items_->update(Layer::WallsOff);
-  Q_EMIT layersChanged();  // the legend
 }
 
 bool MapScene::referenceDifferences() const { return items_->raster.referenceDifferences(); }

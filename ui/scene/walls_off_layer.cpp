@@ -55,7 +55,6 @@ class WallsOffLayer : public LayerItem {
 };
 
 void wallsOffLegend(Legend& legend) {
-  if (!legend.context().walls_off || legend.context().walls_off->walls.empty()) return;
   const QString steps[] = {LegendText::tr("Walls off by more than 10 cm"),
                            LegendText::tr("Walls off by more than 30 cm"),
                            LegendText::tr("Walls off by more than 1 m")};
