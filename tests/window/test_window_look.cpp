@@ -101,6 +101,17 @@ class TestWindowLook : public QObject {
  private Q_SLOTS:
   void cleanupTestCase() { applyTheme(*qApp, ThemeChoice::System); }
 
+  void aMarkInATableIsMadeOnceForEachTheme() {
+    apply(false);
+    const QPixmap light = markPixmap(Mark::Bad);
+    QCOMPARE(markPixmap(Mark::Bad).cacheKey(), light.cacheKey());
+    QVERIFY(markPixmap(Mark::Good).toImage() != light.toImage());
+    apply(true);
+    QVERIFY(markPixmap(Mark::Bad).toImage() != light.toImage());
+    apply(false);
+    QCOMPARE(markPixmap(Mark::Bad).cacheKey(), light.cacheKey());
+  }
+
   void wordsAndShapesCanBeTold_data() { themes(); }
   void wordsAndShapesCanBeTold() {
     QFETCH(bool, dark);

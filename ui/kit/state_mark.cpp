@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPixmapCache>
 
 namespace mapwright::ui {
 
@@ -81,11 +82,17 @@ void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors&
 QPixmap markPixmap(Mark mark) {
   constexpr int kEdgePx = 14;
   const double ratio = qApp->devicePixelRatio();
+  // One for all cells: the style keeps something for each picture that it is given.
+  const QString key =
+      QStringLiteral("mark %1 %2 %3").arg(int(mark)).arg(ratio).arg(markColor(mark, appColors()).rgba());
+  if (QPixmap kept; QPixmapCache::find(key, &kept)) return kept;
   QPixmap pixmap(QSize(kEdgePx, kEdgePx) * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   paintMark(&painter, QRectF(2, 2, kEdgePx - 4, kEdgePx - 4), mark, appColors());
+  painter.end();
+  QPixmapCache::insert(key, pixmap);
   return pixmap;
 }
 
