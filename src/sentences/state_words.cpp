@@ -117,6 +117,15 @@ QString plannerWord(const std::string& move_state) {
   return StateText::tr("\"%1\"").arg(words::plainName(move_state));
 }
 
+QString doorWord(const std::string& state) {
+  if (state.empty() || state == "unknown") return StateText::tr("unknown");
+  if (state == "open") return StateText::tr("open");
+  if (state == "closed") return StateText::tr("closed");
+  if (state == "opening") return StateText::tr("opening");
+  if (state == "closing") return StateText::tr("closing");
+  return words::plainName(state);
+}
+
 QString failureWords(const std::string& reason) {
   const QString said = words::plainName(reason);
   const QString name = said.section(QStringLiteral(" - "), 0, 0);

@@ -25,7 +25,8 @@ bool hasEnd(std::string_view words) {
   return false;
 }
 
-/// It ends in Chinese, and not only in a Chinese name. In UTF-8 these characters have three bytes.
+/// Its last letter is Chinese, and not only that of a name: "始于 07:36" is. In UTF-8 these characters have
+/// three bytes.
 bool isChinese(std::string_view words) {
   std::size_t chinese = 0, latin = 0;
   bool last = false;
@@ -33,8 +34,9 @@ bool isChinese(std::string_view words) {
     const auto byte = static_cast<unsigned char>(each);
     const bool begins = (byte >= 0xe3 && byte <= 0xe9) || byte == 0xef;
     chinese += begins;
-    latin += (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
-    if (byte < 0x80 || byte >= 0xc0) last = begins;
+    const bool letter = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
+    latin += letter;
+    if (letter || byte >= 0xc0) last = begins;
   }
   return last && chinese > latin;
 }

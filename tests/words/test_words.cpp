@@ -115,6 +115,8 @@ class WordsTest : public QObject {
     row("", "");
     row("..", "");
     row("没有应答", "没有应答。");
+    row("急停已按下，始于 07:36:29", "急停已按下，始于 07:36:29。");
+    row("Nothing in 会议室 3", "Nothing in 会议室 3.");
     row("没有应答。", "没有应答。");
     row("真的？", "真的？");
     row("There is no map 一楼", "There is no map 一楼.");

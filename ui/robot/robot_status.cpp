@@ -8,6 +8,7 @@
 
 #include "geometry/polyline.h"
 #include "sentences/state_words.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -17,6 +18,18 @@ namespace {
 constexpr int kLongestValue = 200;
 
 QString plain(const std::string& text) { return plainWords(text, kLongestValue); }
+
+/// What robots commonly say of themselves; other words are shown as they come.
+QString stateWord(const std::string& state) {
+  for (const char* word :
+       {QT_TRANSLATE_NOOP("window", "charging"), QT_TRANSLATE_NOOP("window", "discharging"),
+        QT_TRANSLATE_NOOP("window", "full"), QT_TRANSLATE_NOOP("window", "auto"),
+        QT_TRANSLATE_NOOP("window", "manual"), QT_TRANSLATE_NOOP("window", "remote"),
+        QT_TRANSLATE_NOOP("window", "positioning")}) {
+    if (state == word) return QCoreApplication::translate("window", word);
+  }
+  return plain(state);
+}
 
 QString number(double value, int decimals, const char* unit) {
   if (!std::isfinite(value)) return QStringLiteral("?");
@@ -47,7 +60,7 @@ void addBattery(const map::BatteryState& battery, std::vector<StatusSection>& se
     section.add(QT_TRANSLATE_NOOP("window", "Level"), QStringLiteral("%1 %").arg(qRound(level * 100)), mark,
                 level);
   }
-  section.add(QT_TRANSLATE_NOOP("window", "Supply"), plain(battery.supply),
+  section.add(QT_TRANSLATE_NOOP("window", "Supply"), stateWord(battery.supply),
               battery.supply == "charging" ? Mark::Busy : Mark::None);
   if (battery.voltage_v)
     section.add(QT_TRANSLATE_NOOP("window", "Voltage"), number(*battery.voltage_v, 1, "V"));
@@ -62,7 +75,7 @@ void addWheels(const map::WheelState& wheels, std::vector<StatusSection>& sectio
     section.add(QT_TRANSLATE_NOOP("window", "Emergency stop"),
                 QCoreApplication::translate("window", "PRESSED"), Mark::Bad);
   }
-  section.add(QT_TRANSLATE_NOOP("window", "Control"), plain(wheels.control_mode),
+  section.add(QT_TRANSLATE_NOOP("window", "Control"), stateWord(wheels.control_mode),
               wheels.control_mode == "manual" ? Mark::Warning : Mark::None);
   if (wheels.wheels_released.value_or(false)) {
     section.add(QT_TRANSLATE_NOOP("window", "Wheels"),
@@ -76,7 +89,7 @@ void addWheels(const map::WheelState& wheels, std::vector<StatusSection>& sectio
 
 void addSlam(const map::SlamStatus& slam, std::vector<StatusSection>& sections) {
   Section section(QT_TRANSLATE_NOOP("window", "SLAM"));
-  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(slam.state));
+  section.add(QT_TRANSLATE_NOOP("window", "State"), stateWord(slam.state));
   if (slam.position_quality) {
     const int quality = *slam.position_quality;
     const Mark mark = quality >= 8   ? Mark::Good
@@ -170,7 +183,7 @@ void addTowing(const map::TowingState& towing, std::vector<StatusSection>& secti
     QString error = plain(towing.error);
     if (towing.error_code != 0)
       error = error.isEmpty() ? QString::number(towing.error_code)
-                              : QStringLiteral("%1: %2").arg(QString::number(towing.error_code), error);
+                              : words::about(QString::number(towing.error_code), error);
     section.add(QT_TRANSLATE_NOOP("window", "Failure"), error, Mark::Bad);
   }
   section.addTo(sections);

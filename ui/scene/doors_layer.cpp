@@ -1,6 +1,8 @@
 #include "map/live_topics.h"
+#include "sentences/state_words.h"
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
+#include "words/listed.h"
 
 namespace mapwright::ui::scene {
 namespace {
@@ -30,10 +32,9 @@ class DoorsLayer : public SmallLayer {
       const QRectF mark = toPolygon(context_.view, door.polygon).boundingRect();
       keepSmallClear(labels, mark);
       if (door.polygon.size() < 3 || !labels.named(mark)) continue;
-      const QString state = shortName(door.state.empty() ? "unknown" : door.state);
+      const QString state = shortName(sentences::doorWord(door.state).toStdString());
       labels.add(LabelWish::Position::Beside, LabelRank::Door, mark, i,
-                 door.name.empty() ? state : shortName(door.name) + QStringLiteral(": ") + state,
-                 context_.theme.text);
+                 door.name.empty() ? state : words::about(shortName(door.name), state), context_.theme.text);
     }
   }
   geometry::WorldRect contentBounds() const override {
@@ -74,7 +75,9 @@ MapObject describeDoor(const LayerContext& context, FeaturesOf, std::size_t numb
   object.look = door.state == "open" ? kOpenDoor : door.state == "closed" ? kClosedDoor : kOtherDoor;
   object.topic = map::topicIndex<map::AutoDoorsMessage>();
   object.properties =
-      Properties().add(ObjectText::tr("State"), door.state).add(ObjectText::tr("MAC address"), door.mac);
+      Properties()
+          .add(ObjectText::tr("State"), door.state.empty() ? QString() : sentences::doorWord(door.state))
+          .add(ObjectText::tr("MAC address"), door.mac);
   return object;
 }
 

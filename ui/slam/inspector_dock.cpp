@@ -37,6 +37,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/slam/submap_row_delegate.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -62,6 +63,8 @@ QString slamStateText(const session::Session& session) {
     }
   } else if (text == QLatin1String("slam")) {
     text = QCoreApplication::translate("window", "mapping");
+  } else if (text == QLatin1String("positioning")) {
+    text = QCoreApplication::translate("window", "positioning");
   }
   if (text.isEmpty()) return QStringLiteral("–");
   if (session.live().slam.reliable) {
@@ -102,7 +105,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   lines << where;
   const QString reason = sentences::sentenceOf(session.reason(id));
   lines << (reason.isEmpty() ? statusWord(session.status(id))
-                             : QStringLiteral("%1: %2").arg(statusWord(session.status(id)), reason));
+                             : words::about(statusWord(session.status(id)), reason));
   return lines.join(QLatin1Char('\n'));
 }
 
