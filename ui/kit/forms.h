@@ -99,10 +99,10 @@ class RangedBox : public Box {
       // What more digits would bring into the range is not finished.
       const std::optional<double> number = numberIn(written);
       const bool beyond = Box::validate(written, at) == QValidator::Invalid && number && isOut(*number);
-      markBeyond(*this, beyond,
-                 QStringLiteral("%1 – %2%3")
-                     .arg(this->textFromValue(this->minimum()), this->textFromValue(this->maximum()),
-                          this->suffix()));
+      markBeyond(
+          *this, beyond,
+          QStringLiteral("%1 – %2%3")
+              .arg(this->textFromValue(leastNumber()), this->textFromValue(this->maximum()), this->suffix()));
     };
     QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, mark);
     // textChanged is not emitted for what the box itself writes.
@@ -140,8 +140,7 @@ class RangedBox : public Box {
       return;
     }
     const bool small = *number < this->minimum();
-    const QString least =
-        this->specialValueText().isEmpty() ? shown(this->minimum()) : this->specialValueText();
+    const QString least = this->prefix() + this->textFromValue(leastNumber()) + this->suffix();
     sayOutOfRange(*this, small ? tooSmallText(plain(input), least)
                                : tooLargeText(plain(input), shown(this->maximum())));
     if (before_) input = shown(*before_);
@@ -167,6 +166,11 @@ class RangedBox : public Box {
  private:
   using Number = decltype(std::declval<const Box&>().value());
   bool isOut(double number) const { return number < this->minimum() || number > this->maximum(); }
+  /// What the special text stands for is no number, unless it is 0.
+  Number leastNumber() const {
+    const bool none = !this->specialValueText().isEmpty() && this->minimum() != 0;
+    return this->minimum() + (none ? 1 : 0);
+  }
   QString shown(Number number) const {
     return number == this->minimum() && !this->specialValueText().isEmpty()
                ? this->specialValueText()
