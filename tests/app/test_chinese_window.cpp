@@ -66,6 +66,26 @@ bool showsWords(const QAbstractButton& button) {
   return !tool || (tool->toolButtonStyle() != Qt::ToolButtonIconOnly || tool->icon().isNull());
 }
 
+constexpr const char* kOpensDialogs[] = {
+    "connect",  "goTo",           "diagnostics", "about",           "shortcuts",      "export",
+    "openFile", "screenshotSave", "record",      "importWaypoints", "exportWaypoints"};
+
+/// Each has a key where it has one (&).
+QStringList wordsWithKeysOn(const QWidget& top) {
+  QStringList words;
+  for (const auto* button : top.findChildren<QAbstractButton*>()) {
+    if (!button->isHidden()) words << button->text();
+  }
+  for (const auto* label : top.findChildren<QLabel*>()) {
+    if (label->buddy() && !label->isHidden()) words << label->text();
+  }
+  for (const auto* box : top.findChildren<QGroupBox*>()) words << box->title();
+  for (const auto* bar : top.findChildren<QTabBar*>()) {
+    for (int i = 0; i < bar->count(); ++i) words << bar->tabText(i);
+  }
+  return words;
+}
+
 /// What of the words below a widget finds no room; `seen` counts all of them.
 QStringList cutBelow(const QWidget& top, int& seen) {
   QStringList cut;
@@ -167,8 +187,7 @@ class ChineseWindowTest : public QObject {
       }
     });
     looks.start();
-    for (const char* id : {"connect", "goTo", "diagnostics", "about", "shortcuts", "export", "openFile",
-                           "screenshotSave", "record", "importWaypoints", "exportWaypoints"}) {
+    for (const char* id : kOpensDialogs) {
       QAction* const action = shown->window().actionList().find(QLatin1String(id));
       QVERIFY2(action, id);
       if (!action->isEnabled()) continue;
@@ -182,11 +201,69 @@ class ChineseWindowTest : public QObject {
     QVERIFY2(cut.isEmpty(), qPrintable(QLatin1Char('\n') + cut.join(QLatin1Char('\n'))));
   }
 
+  void noKeyStandsForTwoWords_data() {
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << QStringLiteral("en");
+    QTest::newRow("Chinese") << QStringLiteral("zh_CN");
+  }
+  void noKeyStandsForTwoWords() {
+    QFETCH(QString, language);
+    sentences::speak(language);
+    const auto back = qScopeGuard([] { sentences::speak(QStringLiteral("zh_CN")); });
+    const auto shown = show();
+    QVERIFY(shown);
+    QStringList twice;
+    int keys = 0;
+    const auto see = [&](const QString& where, const QStringList& texts) {
+      QMap<QString, QString> taken;
+      for (const QString& text : texts) {
+        const QString key = QKeySequence::mnemonic(text).toString();
+        if (key.isEmpty()) continue;
+        ++keys;
+        if (taken.contains(key))
+          twice << where + QStringLiteral(": ") + taken.value(key) + QStringLiteral(" and ") + text;
+        taken.insert(key, text);
+      }
+    };
+    QStringList bar;
+    for (const QAction* menu : shown->window().menuBar()->actions()) bar << menu->text();
+    see(QStringLiteral("menu bar"), bar);
+    for (const QMenu* menu : shown->window().menuBar()->findChildren<QMenu*>()) {
+      QStringList texts;
+      for (const QAction* action : menu->actions()) {
+        if (action->isVisible()) texts << action->text();
+      }
+      see(menu->title(), texts);
+    }
+    for (const QDockWidget* dock : shown->window().findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+      see(dock->windowTitle(), wordsWithKeysOn(*dock));
+    QSet<QString> dialogs;
+    QTimer looks;
+    looks.setInterval(10);
+    connect(&looks, &QTimer::timeout, this, [&] {
+      for (QWidget* top : QApplication::topLevelWidgets()) {
+        auto* const dialog = qobject_cast<QDialog*>(top);
+        if (!dialog || !dialog->isVisible()) continue;
+        if (!dialogs.contains(dialog->windowTitle())) see(dialog->windowTitle(), wordsWithKeysOn(*dialog));
+        dialogs << dialog->windowTitle();
+        dialog->reject();
+      }
+    });
+    looks.start();
+    for (const char* id : kOpensDialogs) {
+      QAction* const action = shown->window().actionList().find(QLatin1String(id));
+      if (action->isEnabled()) action->trigger();
+      QTest::qWait(40);
+    }
+    QVERIFY2(keys > 60, qPrintable(QString::number(keys)));
+    QVERIFY2(twice.isEmpty(), qPrintable(QLatin1Char('\n') + twice.join(QLatin1Char('\n'))));
+  }
+
   void thePaletteFindsACommandByBothOfItsNames_data() {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("id");
     const auto row = [](const char* typed, const char* id) {
-      QTest::newRow(typed) << QString::fromUtf8(typed) << QString::fromLatin1(id);
+      QTest::addRow("%s: %s", typed, id) << QString::fromUtf8(typed) << QString::fromLatin1(id);
     };
     row("dark theme", "themeDark");
     row("深色", "themeDark");
@@ -195,6 +272,9 @@ class ChineseWindowTest : public QObject {
     row("full screen", "fullScreen");
     row("语言", "language_en");
     row("that of the system", "language_system");
+    row("language", "language_system");
+    row("language", "language_en");
+    row("language", "language_zh_CN");
   }
   void thePaletteFindsACommandByBothOfItsNames() {
     QFETCH(QString, typed);

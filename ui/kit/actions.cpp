@@ -19,6 +19,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -218,9 +219,9 @@ namespace {
 QString nameAmong(const Actions::Entry& entry, const QString& text) {
   if (entry.position.group == MenuGroup::Panels)
     return QCoreApplication::translate("window", "Panel: %1").arg(text);
-  return entry.position.group == MenuGroup::Layouts
-             ? QStringLiteral("%1: %2").arg(submenuTitle(entry.position.group), text)
-             : text;
+  const bool called_by_menu =
+      entry.position.group == MenuGroup::Layouts || entry.position.group == MenuGroup::Languages;
+  return called_by_menu ? words::about(submenuTitle(entry.position.group), text) : text;
 }
 
 }  // namespace
@@ -232,17 +233,22 @@ QString nameAlone(const Actions::Entry& entry) {
   // In a menu of its own, inside one of the bar's.
   const bool of_bar = std::any_of(std::begin(kMenus), std::end(kMenus),
                                   [&](Menu menu) { return entry.menu == menuName(menu); });
-  return of_bar || entry.menu.isEmpty() ? text : QStringLiteral("%1: %2").arg(entry.menu, text);
+  return of_bar || entry.menu.isEmpty() ? text : words::about(entry.menu, text);
 }
 
 QStringList englishNames(const Actions::Entry& entry) {
   const bool named = !entry.name.isEmpty();
-  const QStringList sources = sentences::sourcesOf(named ? entry.name : entry.action->text());
+  // As it was before keepKeysApart().
+  const QString spoken = entry.action->property("spoken").toString();
+  const QString text = spoken.isEmpty() ? entry.action->text() : spoken;
+  QStringList sources = sentences::sourcesOf(named ? entry.name : text);
+  // It may have no other name, and the words before it are translated all the same.
+  if (!named && sources.isEmpty()) sources << text;
   const sentences::InEnglish english;
   QStringList names;
   for (const QString& source : sources) {
-    const QString text = withoutMnemonic(source);
-    names << (named || entry.position.rank == 0 ? text : nameAmong(entry, text));
+    const QString plain = withoutMnemonic(source);
+    names << (named || entry.position.rank == 0 ? plain : nameAmong(entry, plain));
   }
   return names;
 }
@@ -254,6 +260,26 @@ QString shortcutsText(const QAction& action) {
   for (const QKeySequence& shortcut : action.shortcuts()) keys << shortcut.toString(QKeySequence::NativeText);
   return keys.join(QCoreApplication::translate("window", " or "));
 }
+
+namespace {
+
+/// The first entry with a key keeps it: pressed for two, it only walks from one to the other.
+void keepKeysApart(const QMenu& menu) {
+  QStringList taken;
+  for (QAction* const action : menu.actions()) {
+    if (action->menu()) keepKeysApart(*action->menu());
+    const QString key = QKeySequence::mnemonic(action->text()).toString();
+    if (key.isEmpty()) continue;
+    if (taken.contains(key)) {
+      action->setProperty("spoken", action->text());
+      action->setText(withoutMnemonic(action->text()).replace(QLatin1String("&"), QLatin1String("&&")));
+    } else {
+      taken << key;
+    }
+  }
+}
+
+}  // namespace
 
 void fillMenuBar(QMenuBar& bar, const Actions& actions) {
   std::map<Menu, QMenu*> menus;
@@ -282,6 +308,7 @@ void fillMenuBar(QMenuBar& bar, const Actions& actions) {
     }
     submenu->addAction(action);
   }
+  for (const auto& [which, menu] : menus) keepKeysApart(*menu);
 }
 
 void fillToolBar(QToolBar& bar, const Actions& actions) {

@@ -69,7 +69,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
       source_(new QComboBox(this)),
       resolution_(new DecimalBox(this)),
       hidden_(new QCheckBox(this)),
-      world_file_(new QCheckBox(tr("With a &world file (.pgw) that gives its position"), this)),
+      world_file_(new QCheckBox(tr("W&ith a world file (.pgw) that gives its position"), this)),
       map_mode_(new QComboBox(this)),
       thresholds_(new QCheckBox(tr("&Thresholds"), this)),
       occupied_(thresholdField(this, map::CellReading().occupied_thresh, tr("Occupied above"),

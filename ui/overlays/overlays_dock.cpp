@@ -422,7 +422,7 @@ void OverlaysDock::showMenu(const QPoint& at) {
   menu.addAction(tr("&Copy"), this, &OverlaysDock::copyWanted)->setEnabled(any);
   menu.addAction(tr("C&ut"), this, &OverlaysDock::cutWanted)->setEnabled(editable && any);
   menu.addAction(tr("&Paste"), this, &OverlaysDock::pasteWanted)->setEnabled(editable);
-  menu.addAction(tr("D&uplicate"), editing_, &edit::OverlayEditing::duplicateSelected)
+  menu.addAction(tr("Dup&licate"), editing_, &edit::OverlayEditing::duplicateSelected)
       ->setEnabled(editable && any);
   menu.addSeparator();
   menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })

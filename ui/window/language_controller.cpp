@@ -14,21 +14,22 @@ LanguageController::LanguageController(WindowContext& context, QObject* parent)
   auto* const group = new QActionGroup(this);
   const QString now = languageIn(context.settings);
   int rank = 0;
-  const auto offer = [&](const QString& code, const QString& text, const QString& name) {
+  const auto offer = [&](const QString& code, const QString& text, const QString& name, const QString& tip) {
     const QByteArray id = "language_" + code.toLatin1();
     QAction* const action = context_.actions.add({.id = id.constData(),
                                                   .text = text,
                                                   .name = name,
-                                                  .tip = name,
+                                                  .tip = tip,
                                                   .toggle = true,
                                                   .menu = {MenuGroup::Languages, rank += 10}},
                                                  this, [this, code] { choose(code); });
     group->addAction(action);
     if (code == now) action->setChecked(true);
   };
-  offer(kLanguageOfSystem, tr("Language of the system"), tr("Language: that of the system"));
+  const QString of_system = tr("Language: that of the system");
+  offer(kLanguageOfSystem, tr("Language of the system"), of_system, of_system);
   for (const sentences::Language& each : sentences::languages())
-    offer(each.code, each.name, tr("Language: %1").arg(each.name));
+    offer(each.code, each.name, {}, tr("Language: %1").arg(each.name));
 }
 
 void LanguageController::choose(const QString& language) {
