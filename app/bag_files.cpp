@@ -19,6 +19,7 @@
 #include "recording/source.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -40,7 +41,7 @@ struct ExportOrder {
 /// The requested format, otherwise by the extension.
 CommandResult<ExportOrder> orderFrom(const BagsArguments& args, const QStringList& formats) {
   ExportOrder order{text(args.output), text(args.format).toLower()};
-  const QString known = formats.join(QStringLiteral(", "));
+  const QString known = words::listed(formats);
   if (order.format.isEmpty()) {
     order.format = QFileInfo(order.path).suffix().toLower();
     if (!formats.contains(order.format))

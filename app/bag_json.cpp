@@ -6,6 +6,7 @@
 #include "app/command_text.h"
 #include "incident/report.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -135,7 +136,7 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
   if (!info.written_by.empty()) rows.push_back({Text::tr("written by"), words::plainName(info.written_by)});
   QStringList robots;
   for (const std::string& one : info.robots) robots << words::plainName(one);
-  if (!robots.isEmpty()) rows.push_back({Text::tr("robots"), robots.join(QLatin1String(", "))});
+  if (!robots.isEmpty()) rows.push_back({Text::tr("robots"), words::listed(robots)});
   for (const robot::BagPacking& one : info.packing)
     rows.push_back({Text::tr("compression"),
                     Text::tr("%1, chunks: %2, %3 of %4")

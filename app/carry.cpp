@@ -31,6 +31,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -129,7 +130,7 @@ QString becameText(const CarryRow& row) {
   QString became =
       row.there_already ? Text::tr("on the new map already") : carry::verdictText(row.carried.verdict);
   if (row.one_there) became = Text::tr("left out: what belongs to it is on the new map already");
-  if (!row.with.isEmpty()) became += Text::tr(" (together with %1)").arg(row.with.join(QStringLiteral(", ")));
+  if (!row.with.isEmpty()) became += Text::tr(" (together with %1)").arg(words::listed(row.with));
   return became;
 }
 
@@ -169,8 +170,8 @@ QString sumText(const std::vector<CarryRow>& rows, bool all) {
     reasons << QStringLiteral("%1 %2").arg(left[std::size_t(i)]).arg(carry::verdictText(carry::Verdict(i)));
   }
   if (there > 0) parts << Text::tr("%1 on the new map already").arg(there);
-  if (out > 0) parts << Text::tr("%1 left out (%2)").arg(out).arg(reasons.join(QStringLiteral(", ")));
-  return parts.join(QStringLiteral(", "));
+  if (out > 0) parts << Text::tr("%1 left out (%2)").arg(out).arg(words::listed(reasons));
+  return words::listed(parts);
 }
 
 page::Tone toneOf(const CarryRow& row) {
@@ -210,8 +211,8 @@ std::optional<QString> writePage(const CarryArguments& args, const QString& titl
     page.endTable();
     page.section(Text::tr("What the words mean"));
     for (int i = 0; i < carry::kVerdicts; ++i) {
-      page.paragraph(QStringLiteral("%1: %2").arg(carry::verdictText(carry::Verdict(i)),
-                                                  carry::meaningOf(carry::Verdict(i))));
+      page.paragraph(
+          words::about(carry::verdictText(carry::Verdict(i)), carry::meaningOf(carry::Verdict(i))));
     }
     page.end();
   }

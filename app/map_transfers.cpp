@@ -18,6 +18,7 @@
 #include "robot/picture_store.h"
 #include "sentences/plural.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -125,8 +126,9 @@ CommandResult<int> addMap(RobotCommand& command, const TransferArguments& args, 
     printLine(QStringLiteral("%1  %2").arg(words::plainName(now->key.id), words::plainName(now->name)));
   }
   if (odd.isEmpty()) return kDone;
-  return reading.failure(kIncomplete, Text::tr("The robot accepted the map, but stored it differently: %1.")
-                                          .arg(odd.join(QStringLiteral("; "))));
+  return reading.failure(
+      kIncomplete,
+      Text::tr("The robot accepted the map, but stored it differently: %1.").arg(words::strung(odd)));
 }
 
 CommandResult<int> mapsUpload(RobotCommand& command, const TransferArguments& args) {

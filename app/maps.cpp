@@ -33,6 +33,7 @@
 #include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
 #include "words/decimal.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -114,8 +115,7 @@ CommandResult<int> showWithoutPicture(RobotReading& reading, bool json_wanted) {
     if (!told) return reading.failure(told.error());
     points = std::move(told->points);
     for (const Fault& note : told->notes)
-      reading.addRemark(
-          QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(key)), sentences::sentenceOf(note)));
+      reading.addRemark(words::about(sentences::nameOf(map::placesOf(key)), sentences::sentenceOf(note)));
   }
   const map::CatalogueEntry* const row = session.catalogue().find(key);
   if (json_wanted) {

@@ -21,6 +21,7 @@
 #include "overlays/overlay_check.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -279,7 +280,7 @@ tl::expected<std::set<overlays::Rule>, QString> rulesFrom(const std::string& typ
       for (int i = 0; i <= int(overlays::kLastRule); ++i)
         names << text(std::string(overlays::nameOf(overlays::Rule(i))));
       return tl::make_unexpected(Text::tr("--off %1: there is no such rule. Rules are: %2.")
-                                     .arg(word.trimmed(), names.join(QStringLiteral(", "))));
+                                     .arg(word.trimmed(), words::listed(names)));
     }
     rules.insert(*rule);
   }

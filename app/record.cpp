@@ -22,6 +22,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -111,7 +112,7 @@ CommandResult<RecordOrder> orderFrom(const RecordArguments& args) {
   const auto streams = streamsFrom(text(args.streams));
   if (!streams)
     return wrong(Text::tr("--streams: \"%1\" is unknown. Choose from: all, none, %2.")
-                     .arg(streams.error(), streamWords().join(QLatin1String(", "))));
+                     .arg(streams.error(), words::listed(streamWords())));
   order.streams = *streams;
   for (const QString& topic : text(args.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
     order.topics << topic.trimmed();
@@ -310,7 +311,7 @@ void addRecord(Commands& commands) {
   command
       ->add_option("--streams", args.streams,
                    help(Text::tr("Kinds of data, separated by commas: all, none, %1")
-                            .arg(streamWords().join(QLatin1String(", ")))))
+                            .arg(words::listed(streamWords()))))
       ->capture_default_str();
   command
       ->add_option("--submaps", args.submaps,

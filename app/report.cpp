@@ -15,6 +15,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -72,7 +73,7 @@ QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::Grid
 }
 
 QString problemLine(const map::Problem& problem) {
-  return QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject), sentences::sentenceOf(problem));
+  return words::about(sentences::nameOf(problem.subject), sentences::sentenceOf(problem));
 }
 
 QStringList problemLines(const session::ProblemLog& log) {

@@ -26,6 +26,7 @@
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_probe.h"
 #include "robot/ros/ros_robot.h"
+#include "words/listed.h"
 
 namespace mapwright::app {
 
@@ -190,8 +191,8 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
                        [&](const auto& s) { return s.first == options.scene; })) {
         QStringList names;
         for (const auto& [scene, sentence] : scenes) names << QString::fromStdString(scene);
-        return tl::make_unexpected(Text::tr("There is no scene \"%1\". Choose one of: %2.")
-                                       .arg(value, names.join(QLatin1String(", "))));
+        return tl::make_unexpected(
+            Text::tr("There is no scene \"%1\". Choose one of: %2.").arg(value, words::listed(names)));
       }
     } else if (name == QLatin1String("submaps")) {
       options.submaps = value.toInt(&ok);

@@ -12,6 +12,7 @@
 #include "app/exit_code.h"
 #include "app/robot_access.h"
 #include "simulator/simulator.h"
+#include "words/listed.h"
 #include "words/plain.h"
 
 namespace mapwright::app {
@@ -116,7 +117,7 @@ void SimulateOptions::addRobot() {
        tr("The Agibot robot has newer firmware: its maps and waypoints can be changed, and it can map"));
   flag("--aimdk-centimetres", o.aimdk.centimetres,
        tr("The resolution of the Agibot robot's maps means centimetres per pixel"));
-  option("--scene", o.scene, tr("One of: %1").arg(scene_names.join(QStringLiteral(", "))))
+  option("--scene", o.scene, tr("One of: %1").arg(words::listed(scene_names)))
       ->capture_default_str()
       ->check([scene_names](const std::string& given) {
         const QString scene = QString::fromStdString(given);

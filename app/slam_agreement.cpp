@@ -28,6 +28,7 @@
 #include "sentences/plural.h"
 #include "words/decimal.h"
 #include "words/figures.h"
+#include "words/listed.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -120,7 +121,7 @@ CommandResult<agreement::Survey> surveyOf(RobotReading& reading, const Agreement
     reading.lack(
         Text::tr("%1 submaps lie too far away to be compared: %2.", nullptr, sentences::formOf(count))
             .arg(count)
-            .arg(namesOf(survey.unplaceable()).mid(0, 5).join(QStringLiteral(", "))));
+            .arg(words::listed(namesOf(survey.unplaceable()).mid(0, 5))));
   }
   render::DenseCache cache(work::budgetsFrom().dense);
   ProgressLine progress;

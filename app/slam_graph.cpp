@@ -21,6 +21,7 @@
 #include "sentences/fault_sentence.h"
 #include "words/figures.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_versions.h"
 #include "words/text.h"
 #include "work/workers.h"
@@ -157,7 +158,7 @@ QString unplaceableIn(const pbstream::StateFile& file) {
   const QString count = counted(std::size_t(names.size()));
   if (names.size() > kMostNamed) names = names.mid(0, kMostNamed) << QStringLiteral("…");
   return Text::tr("Submaps whose place is none, as a number is not finite or it has no direction: %1 (%2).")
-      .arg(count, names.join(QStringLiteral(", ")));
+      .arg(count, words::listed(names));
 }
 
 QString noLoopClosed() {

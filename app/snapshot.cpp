@@ -25,6 +25,7 @@
 #include "geometry/view_transform.h"
 #include "replay/replay_robot.h"
 #include "ui/scene/layer.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -87,8 +88,8 @@ tl::expected<void, QString> onTopic(QString& word, robot::TopicChoices& topics) 
     for (const ui::scene::Layer one : ui::scene::allLayers()) {
       if (ui::scene::chosenStream(one)) choosable << ui::scene::layerName(one);
     }
-    return tl::make_unexpected(Text::tr("--layers: \"%1\" has no choice of topic, only %2.")
-                                   .arg(name, choosable.join(QLatin1String(", "))));
+    return tl::make_unexpected(
+        Text::tr("--layers: \"%1\" has no choice of topic, only %2.").arg(name, words::listed(choosable)));
   }
   if (topic.isEmpty())
     return tl::make_unexpected(
@@ -121,7 +122,7 @@ tl::expected<std::set<ui::scene::Layer>, QString> parseLayers(const QString& arg
     const std::optional<Layer> layer = ui::scene::layerNamed(word.trimmed());
     if (!layer) {
       return tl::make_unexpected(Text::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
-                                     .arg(word, namesOfLayers().join(QLatin1String(", "))));
+                                     .arg(word, words::listed(namesOfLayers())));
     }
     chosen.insert(*layer);
   }
@@ -164,7 +165,7 @@ QString layersHelp() {
   return Text::tr(
              "Layers, separated by commas: %1; or all (except %2); or none (only the map). NAME=TOPIC "
              "selects the topic for a grid, path or target of a ROS robot")
-      .arg(namesOfLayers().join(QLatin1Char(',')), not_in_all.join(QLatin1String("; ")));
+      .arg(namesOfLayers().join(QLatin1Char(',')), words::strung(not_in_all));
 }
 
 /// Called at the deadline if the run is not finished: reports it, also in the report.

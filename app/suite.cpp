@@ -25,6 +25,7 @@
 #include "suite/outcome.h"
 #include "suite/suite_page.h"
 #include "ui/shot/view_facts.h"
+#include "words/listed.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -352,8 +353,7 @@ QString endVariants(const PlannedSuite& plan, std::size_t view) {
     QFile::remove(suite::factsBeside(variant));
     ended << QFileInfo(variant).fileName();
   }
-  return ended.isEmpty() ? QString()
-                         : Text::tr("No longer accepted: %1. ").arg(ended.join(QLatin1String(", ")));
+  return ended.isEmpty() ? QString() : Text::tr("No longer accepted: %1. ").arg(words::listed(ended));
 }
 
 int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {

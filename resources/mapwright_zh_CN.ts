@@ -8885,6 +8885,22 @@ Do you want to delete it anyway?</source>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>正在打开</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>正在关闭</translation>
+    </message>
 </context>
 <context>
     <name>Subject</name>
@@ -13506,8 +13522,8 @@ Expected at %2</source>
         <translation>当前视图的图像 (PNG)(&amp;V)</translation>
     </message>
     <message>
-        <source>With a &amp;world file (.pgw) that gives its position</source>
-        <translation>附带给出其位置的世界文件 (.pgw)(&amp;W)</translation>
+        <source>W&amp;ith a world file (.pgw) that gives its position</source>
+        <translation>附带给出其位置的世界文件 (.pgw)(&amp;I)</translation>
     </message>
     <message>
         <source>&amp;Thresholds</source>
@@ -17221,8 +17237,8 @@ Theirs: %6</source>
         <translation>粘贴(&amp;P)</translation>
     </message>
     <message>
-        <source>D&amp;uplicate</source>
-        <translation>复制副本(&amp;U)</translation>
+        <source>Dup&amp;licate</source>
+        <translation>复制副本(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -24901,6 +24917,30 @@ Qt %2，编译时为 %3</translation>
     <message>
         <source>refused%1</source>
         <translation>被拒绝%1</translation>
+    </message>
+    <message>
+        <source>charging</source>
+        <translation>充电中</translation>
+    </message>
+    <message>
+        <source>discharging</source>
+        <translation>放电中</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>已充满</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>remote</source>
+        <translation>遥控</translation>
     </message>
 </context>
 <context>

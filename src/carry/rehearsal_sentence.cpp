@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "words/fixed.h"
+#include "words/listed.h"
 
 namespace mapwright::carry {
 namespace {
@@ -59,7 +60,7 @@ QString rehearsedText(const Rehearsed& way) {
   const QString length = words::fixed(way.length_m, 1);
   said << (not_free.isEmpty()
                ? RehearsalText::tr("%1 m, all free.").arg(length)
-               : RehearsalText::tr("%1 m. Not free: %2.").arg(length, not_free.join(QStringLiteral(", "))));
+               : RehearsalText::tr("%1 m. Not free: %2.").arg(length, words::listed(not_free)));
   const double away_m =
       way.lengths_m[std::size_t(Crossing::Outside)] + way.lengths_m[std::size_t(Crossing::Unknown)];
   if (away_m > way.length_m / 2)

@@ -6,6 +6,8 @@
 #include "compare/picture_view.h"
 #include "sentences/plural.h"
 #include "words/figures.h"
+#include "words/listed.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::compare {
 namespace {
@@ -79,8 +81,8 @@ QString comparisonText(const Comparison& comparison, const std::optional<geometr
   if (!text.isEmpty()) text += QLatin1Char(' ');
   text += amountText(comparison);
   if (const QString clusters = clustersText(comparison, view); !clusters.isEmpty())
-    text += QStringLiteral(": ") + clusters;
-  text += QLatin1Char('.');
+    text = words::about(text, clusters);
+  text = words::asSentence(text);
   if (comparison.equal) text += QLatin1Char(' ') + ComparisonText::tr("That is allowed.");
   return text;
 }

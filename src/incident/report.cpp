@@ -17,6 +17,7 @@
 #include "sentences/problem_sentence.h"
 #include "sentences/state_words.h"
 #include "sentences/subject_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/qt_versions.h"
 
@@ -223,8 +224,7 @@ void writeSafety(page::Page& page, const Run& run) {
   std::vector<Cell> conditions;
   for (const auto& [condition, code_since_s] : run.conditions.all) {
     const map::Problem problem = map::problemOf(condition);
-    QString words = QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject),
-                                                 named(sentences::sentenceOf(problem)));
+    QString words = words::about(sentences::nameOf(problem.subject), named(sentences::sentenceOf(problem)));
     if (beganBefore(condition, run))
       words = ReportText::tr("%1 (since before the recording begins)").arg(words);
     else if (condition.since_s > 0)

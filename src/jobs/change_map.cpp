@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::jobs {
@@ -40,7 +41,7 @@ QString alsoCalledSo(const robot::MapOrder& order, const std::vector<map::Catalo
   if (ids.size() < 2)
     return ids.isEmpty() ? QString()
                          : ChangeMapText::tr("Another map has this name: id %1.").arg(ids.front());
-  const QString named = ids.mid(0, kMostNamed).join(QStringLiteral(", "));
+  const QString named = words::listed(ids.mid(0, kMostNamed));
   return ids.size() > kMostNamed
              ? ChangeMapText::tr("Other maps have this name: ids %1 and others.").arg(named)
              : ChangeMapText::tr("Other maps have this name: ids %1.").arg(named);

@@ -8,6 +8,7 @@
 #include "sentences/overlay_name.h"
 #include "sentences/plural.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::overlays {
@@ -100,7 +101,7 @@ QString featureChange(const OverlayChange& change, const Feature& before, const 
                    .arg(partName(part), called, was);
     }
   }
-  return parts.join(QStringLiteral("; "));
+  return words::strung(parts);
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ QString featuresCalled(const std::vector<OverlayChange>& changes) {
     }
     names << (change.collection ? OverlayText::tr("the collection") : featureCalled(change.id, change.name));
   }
-  return names.join(QStringLiteral(", "));
+  return words::listed(names);
 }
 
 QString overlayChangesText(qsizetype count) {
@@ -165,7 +166,7 @@ QString changeText(const OverlayChange& change, const OverlayDocument& before, c
       names << OverlayText::tr("%1 to %2").arg(partName(part.part), valueText(part.part, part.after));
     return (deed ? OverlayText::tr("Change the defaults of the map: %1")
                  : OverlayText::tr("the defaults of the map changed: %1"))
-        .arg(names.join(QStringLiteral(", ")));
+        .arg(words::listed(names));
   }
   const Feature* const was = change.from ? &before.features()[*change.from] : nullptr;
   const Feature* const is = change.to ? &after.features()[*change.to] : nullptr;

@@ -5,6 +5,7 @@
 
 #include "sentences/fault_sentence.h"
 #include "sentences/http_status.h"
+#include "words/listed.h"
 #include "words/sentences.h"
 #include "words/text.h"
 
@@ -91,7 +92,7 @@ QString robotSaid(const Failure& failure) {
                                           : FailureText::tr("the robot refused (code %1)").arg(code);
   const std::string why = toldBy(failure);
   if (why.empty()) return answer;
-  return QStringLiteral("%1: %2").arg(answer, text(words::withoutStop(why)));
+  return words::about(answer, text(words::withoutStop(why)));
 }
 
 QString reasonOf(const Failure& failure) {

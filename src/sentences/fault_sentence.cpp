@@ -10,6 +10,7 @@
 #include "sentences/http_status.h"
 #include "sentences/plural.h"
 #include "words/decimal.h"
+#include "words/listed.h"
 #include "words/sentences.h"
 
 namespace mapwright::sentences {
@@ -80,7 +81,7 @@ QString withCauses(const Fault& fault, const QString& text) {
     case FaultCode::Causes::AfterColon:
       break;
     case FaultCode::Causes::Continued:
-      return QStringLiteral("%1: %2").arg(text, QString::fromStdString(causes));
+      return words::about(text, QString::fromStdString(causes));
     case FaultCode::Causes::Capital:
       return QString::fromStdString(words::because(text.toStdString(), words::asSentence(causes)));
     case FaultCode::Causes::Sentence:
@@ -142,7 +143,7 @@ QString wordsOf(const Fault& fault) {
 QString wordsOf(const std::vector<Fault>& faults) {
   QStringList words;
   for (const Fault& fault : faults) words << wordsOf(fault);
-  return words.join(QStringLiteral("; "));
+  return words::strung(words);
 }
 
 QString sentenceOf(const Fault& fault) {

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "sentences/plural.h"
+#include "words/listed.h"
 
 namespace mapwright::sentences {
 namespace {
@@ -27,7 +28,7 @@ QString foundCalled(const robot::FoundRobot& robot) {
     told << counted(FoundText::tr("%1 services", nullptr, formOf(*robot.services)), *robot.services);
   }
   if (robot.wants_secret) told << FoundText::tr("asks for a secret");
-  return told.join(QStringLiteral(", "));
+  return words::listed(told);
 }
 
 }  // namespace mapwright::sentences

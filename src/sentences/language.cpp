@@ -10,6 +10,8 @@
 #include <QStringList>
 #include <QTranslator>
 
+#include "words/listed.h"
+
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace mapwright::sentences {
@@ -111,7 +113,7 @@ std::optional<QString> languageCalled(const QString& typed) {
 QString languagesTyped() {
   QStringList codes;
   for (const Language& each : languages()) codes << each.code;
-  return QCoreApplication::translate("Language", "%1 and %2").arg(codes.join(QStringLiteral(", ")), kSystem);
+  return QCoreApplication::translate("Language", "%1 and %2").arg(words::listed(codes), kSystem);
 }
 
 void speak(const QString& code) {

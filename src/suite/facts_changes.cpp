@@ -14,6 +14,7 @@
 #include "overlays/overlay_shapes.h"
 #include "sentences/plural.h"
 #include "words/figures.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::suite {
@@ -34,8 +35,8 @@ constexpr qsizetype kMostNamed = 4;
 
 QString metres(double value) { return QLocale::c().toString(value, 'f', value < 0.01 ? 3 : 2); }
 
-QString firstOf(const QStringList& changes, const QString& separator) {
-  const QString named = changes.mid(0, kMostNamed).join(separator);
+QString firstOf(const QStringList& changes, QString (*joined)(const QStringList&)) {
+  const QString named = joined(changes.mid(0, kMostNamed));
   if (changes.size() <= kMostNamed) return named;
   return FactsChangesText::tr("%1 and %2 more")
       .arg(named, QString::fromStdString(words::grouped(changes.size() - kMostNamed)));
@@ -104,9 +105,9 @@ void compareViews(const Facts& before, const Facts& after, std::vector<FactChang
     return names;
   };
   if (const QStringList more = missing(after.layers, before.layers); !more.isEmpty())
-    say(FactsChangesText::tr("layers that are drawn now: %1").arg(firstOf(more, QStringLiteral(", "))));
+    say(FactsChangesText::tr("layers that are drawn now: %1").arg(firstOf(more, words::listed)));
   if (const QStringList gone = missing(before.layers, after.layers); !gone.isEmpty())
-    say(FactsChangesText::tr("layers that are drawn no more: %1").arg(firstOf(gone, QStringLiteral(", "))));
+    say(FactsChangesText::tr("layers that are drawn no more: %1").arg(firstOf(gone, words::listed)));
 }
 
 std::vector<FactChange> placeChanges(const MapFact& was, const MapFact& is) {
@@ -300,7 +301,7 @@ void compareStamps(const Facts& before, const Facts& after, std::vector<FactChan
   }
   if (!topics.isEmpty())
     changes.push_back(
-        {FactsChangesText::tr("messages of other times: %1").arg(firstOf(topics, QStringLiteral(", "))), {}});
+        {FactsChangesText::tr("messages of other times: %1").arg(firstOf(topics, words::listed)), {}});
 }
 
 /// Where names are now that others may push aside.
@@ -372,7 +373,7 @@ Explanation explained(const compare::Comparison& comparison, const geometry::Vie
   return made;
 }
 
-QString firstChanges(const QStringList& changes) { return firstOf(changes, QStringLiteral("; ")); }
+QString firstChanges(const QStringList& changes) { return firstOf(changes, words::strung); }
 
 QString explanationText(const compare::Comparison& comparison, const geometry::ViewTransform& view,
                         const Explanation& explanation) {
@@ -390,7 +391,7 @@ QString explanationText(const compare::Comparison& comparison, const geometry::V
     text += explanation.elsewhere.isEmpty() ? FactsChangesText::tr("No fact that is kept of it changed.")
                                             : FactsChangesText::tr("Nothing changed there that is known.");
   } else {
-    text += QStringLiteral(": ") + firstChanges(causes) + QLatin1Char('.');
+    text = words::asSentence(words::about(text, firstChanges(causes)));
   }
   const auto unknown = std::count_if(explanation.near.begin(), explanation.near.end(),
                                      [](const QStringList& near) { return near.isEmpty(); });

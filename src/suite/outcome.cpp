@@ -8,6 +8,8 @@
 #include "compare/picture_view.h"
 #include "sentences/plural.h"
 #include "words/figures.h"
+#include "words/listed.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::suite {
 namespace {
@@ -32,7 +34,7 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
     row.size = QString::fromStdString(words::grouped(cluster.pixels));
     if (view) row.place = compare::placeText(compare::worldOf(*view, box).center());
     if (rows.size() < explanation.near.size()) {
-      row.near = explanation.near[rows.size()].join(QStringLiteral("; "));
+      row.near = words::strung(explanation.near[rows.size()]);
       if (row.near.isEmpty() && explanation.everywhere.isEmpty())
         row.near = OutcomeText::tr("nothing that is known");
     }
@@ -104,7 +106,7 @@ QString tallyText(const Tally& tally) {
         tally.not_expected_yet);
   if (tally.failed > 0)
     parts << counted(OutcomeText::tr("%1 views failed", nullptr, formOf(tally.failed)), tally.failed);
-  return parts.join(QStringLiteral(", ")) + QLatin1Char('.');
+  return words::asSentence(words::listed(parts));
 }
 
 QString verdictText(Verdict verdict) {

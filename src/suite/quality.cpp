@@ -9,6 +9,7 @@
 #include "sentences/plural.h"
 #include "words/decimal.h"
 #include "words/figures.h"
+#include "words/listed.h"
 
 namespace mapwright::suite {
 namespace {
@@ -144,8 +145,7 @@ void judgeQuality(const Quality& limits, const Examined& examined, const std::op
     told << QualityText::tr("No loop was closed, so there is nothing to hold against the limit of %1.")
                 .arg(metresText(*limits.closures_over_m));
   for (const ViewOutcome::Figure& figure : outcome.figures) figures << figure.words();
-  if (!figures.isEmpty())
-    told << QualityText::tr("SLAM session: %1.").arg(figures.join(QStringLiteral(", ")));
+  if (!figures.isEmpty()) told << QualityText::tr("SLAM session: %1.").arg(words::listed(figures));
   if (!outcome.sentence.isEmpty()) told.prepend(outcome.sentence);
   outcome.sentence = told.join(QLatin1Char('\n'));
 }

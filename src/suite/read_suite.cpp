@@ -10,6 +10,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "yaml/read_yaml.h"
 
@@ -171,7 +172,7 @@ QString knownKeys(const KnownOptions& known) {
     for (const std::string& name : *names) keys << QString::fromStdString(name);
   }
   keys.sort();
-  return keys.join(QStringLiteral(", "));
+  return words::listed(keys);
 }
 
 /// Adds what `node` says to `view`.

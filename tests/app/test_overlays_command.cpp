@@ -95,8 +95,7 @@ class OverlaysCommandTest : public QObject {
                   "image: broken.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
     program_->put("broken.overlays.geojson", "{\"type\":");
-    for (const char* words :
-         {"overlays get -o - --robot broken.yaml"}) {
+    for (const char* words : {"overlays get -o - --robot broken.yaml"}) {
       const Ended ended = program_->run(QString::fromLatin1(words).split(QLatin1Char(' ')));
       QVERIFY2(ended.code == 2 && ended.err.contains(QLatin1String("broken.overlays.geojson")),
                qPrintable(ended.err));

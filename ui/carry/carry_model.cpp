@@ -11,6 +11,7 @@
 #include "ui/kit/state_mark.h"
 #include "ui/kit/status_text.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -67,12 +68,11 @@ QString carrySumText(const std::vector<CarryRow>& rows) {
   }
   QStringList parts{CarryModel::tr("%1 sound").arg(countText(sound))};
   if (to_look_at > 0)
-    parts << CarryModel::tr("%1 to look at (%2)")
-                 .arg(countText(to_look_at), reasons.join(QStringLiteral(", ")));
+    parts << CarryModel::tr("%1 to look at (%2)").arg(countText(to_look_at), words::listed(reasons));
   if (there > 0) parts << CarryModel::tr("%1 on the new map already").arg(countText(there));
   if (left_out > 0) parts << CarryModel::tr("%1 left out").arg(countText(left_out));
   if (carried > 0) parts << CarryModel::tr("%1 carried over").arg(countText(carried));
-  return parts.join(QStringLiteral(", "));
+  return words::listed(parts);
 }
 
 void CarryModel::setRows(std::vector<CarryRow> rows) {
@@ -120,7 +120,7 @@ QString CarryModel::meansText(const CarryRow& row) const {
     }
     names << rows_[std::size_t(other)].name;
   }
-  return means + QLatin1Char(' ') + tr("It goes together with %1.").arg(names.join(QStringLiteral(", ")));
+  return means + QLatin1Char(' ') + tr("It goes together with %1.").arg(words::listed(names));
 }
 
 QVariant CarryModel::data(const QModelIndex& index, int role) const {

@@ -4,6 +4,7 @@
 
 #include "sentences/plural.h"
 #include "words/figures.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -58,7 +59,7 @@ QString cloudSumsText(const clouds::CloudSums& sums) {
     QStringList names;
     for (const std::string& frame : sums.frames) names << words::plainName(frame);
     lines << CloudTextText::tr("They are in different frames (%1) and may not align.")
-                 .arg(names.join(QStringLiteral(", ")));
+                 .arg(words::listed(names));
   }
   lines << CloudTextText::tr("%1 of memory").arg(megabytesText(std::int64_t(sums.bytes)));
   return lines.join(QLatin1Char('\n'));

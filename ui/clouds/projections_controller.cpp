@@ -17,6 +17,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -251,9 +252,9 @@ void ProjectionsController::onAnswer(const robot::Outcome<ProjectionDraft::List>
   } else if (const robot::MapDispatch* const offered = dispatch(); offered && !offered->silent().empty()) {
     QStringList names;
     for (const std::string& topic : offered->silent()) names << words::plainName(topic);
-    dock_->setOutcome(tr("The robot has more projections, but nothing has arrived for them: %1.")
-                          .arg(names.join(QStringLiteral(", "))),
-                      true);
+    dock_->setOutcome(
+        tr("The robot has more projections, but nothing has arrived for them: %1.").arg(words::listed(names)),
+        true);
   }
   refresh();
   askWhenSeen();  // there may be news since

@@ -10,6 +10,7 @@
 
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
+#include "words/listed.h"
 #include "words/sentences.h"
 
 namespace mapwright::ui {
@@ -148,7 +149,7 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
   if (!others.isEmpty())
     text.sentence = SafetyBadgeText::tr("%1 Also: %2")
                         .arg(QString::fromStdString(words::asSentence(text.sentence.toStdString())),
-                             others.join(QStringLiteral(", ")));
+                             words::listed(others));
   if (known.as_of)
     text.sentence = SafetyBadgeText::tr("As of %1: %2").arg(clock(*known.as_of, now), text.sentence);
   return text;

@@ -14,6 +14,7 @@
 #include "sentences/plural.h"
 #include "session/lacks_picture.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -68,8 +69,9 @@ bool wantsSecret(const robot::ConnectionState& state) {
 }
 
 StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) {
-  const QString because =
-      state.reason.any() ? QStringLiteral(": ") + sentences::wordsOf(state.reason) : QString();
+  const auto because = [&](const QString& text) {
+    return state.reason.any() ? words::about(text, sentences::wordsOf(state.reason)) : text;
+  };
   switch (state.phase) {
     case ConnectionPhase::Offline:
       return {Mark::Neutral, QCoreApplication::translate("window", "offline")};
@@ -85,18 +87,16 @@ StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) 
                                   ? QCoreApplication::translate("window", " (attempt %1)").arg(state.attempt)
                                   : QString();
       if (!state.retry_in_ms)
-        return {Mark::Warning,
-                QCoreApplication::translate("window", "reconnecting%1%2").arg(attempt, because)};
+        return {Mark::Warning, because(QCoreApplication::translate("window", "reconnecting%1").arg(attempt))};
       const qint64 left = std::max<qint64>(0, *state.retry_in_ms - waited_ms);
       if (left == 0)
         return {Mark::Warning,
-                QCoreApplication::translate("window", "reconnecting now%1%2").arg(attempt, because)};
-      return {Mark::Warning, QCoreApplication::translate("window", "reconnecting in %1 s%2%3")
-                                 .arg((left + 999) / 1000)
-                                 .arg(attempt, because)};
+                because(QCoreApplication::translate("window", "reconnecting now%1").arg(attempt))};
+      return {Mark::Warning, because(QCoreApplication::translate("window", "reconnecting in %1 s%2")
+                                         .arg(QString::number((left + 999) / 1000), attempt))};
     }
     case ConnectionPhase::Refused:
-      return {Mark::Bad, QCoreApplication::translate("window", "refused%1").arg(because)};
+      return {Mark::Bad, because(QCoreApplication::translate("window", "refused"))};
   }
   return {};
 }
@@ -115,7 +115,7 @@ QString loadingText(const session::SubmapCounts& counts) {
   add(counts.failed, QCoreApplication::translate("window", "failed"));
   add(counts.corrupt, QCoreApplication::translate("window", "corrupt"));
   add(counts.without_slice, QCoreApplication::translate("window", "without this slice"));
-  return parts.join(QStringLiteral(", "));
+  return words::listed(parts);
 }
 
 QString trafficText(const session::SubmapCounts& counts) {

@@ -41,6 +41,7 @@
 #include "ui/shot/view_facts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -57,7 +58,7 @@ constexpr double kExpectedWithinS = 10, kExpectedTopicsWithinS = 3;
 QStringList changesOf(const suite::ViewOutcome& outcome) {
   QStringList changes;
   for (const suite::ViewOutcome::ClusterRow& row : outcome.clusters) {
-    if (!row.near.isEmpty()) changes << QStringLiteral("%1: %2").arg(row.place, row.near);
+    if (!row.near.isEmpty()) changes << words::about(row.place, row.near);
   }
   for (const auto& [where, said] :
        {std::pair(ExpectedController::tr("Everywhere: %1"), &outcome.everywhere),

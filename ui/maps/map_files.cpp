@@ -17,6 +17,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -120,7 +121,7 @@ QString intro(const QString& picture, const QStringList& named_by) {
   if (named_by.size() > kMostNames) names << QStringLiteral("…");
   return PictureDialog::tr(
              "Several map.yaml files name %1: %2. Open the right one instead, or enter the values here. %3")
-      .arg(picture, names.join(QStringLiteral(", ")), question);
+      .arg(picture, words::listed(names), question);
 }
 
 }  // namespace

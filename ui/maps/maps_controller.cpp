@@ -19,6 +19,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -186,7 +187,7 @@ void MapsController::refreshNotice() {
   if (!session || !in_view.whole) return context_.notices.clear(NoticeRank::Map);
   const session::MapSlot& slot = session->wholeMap();
   const QString sentence =
-      QStringLiteral("%1: %2").arg(mapCalled(slot.name(), slot.key()), sentences::sentenceOf(slot.remark()));
+      words::about(mapCalled(slot.name(), slot.key()), sentences::sentenceOf(slot.remark()));
   const auto retry = [this] { Q_EMIT retryWanted(); };
   // While there is nothing else on screen the card shows it.
   if (session::lacksPicture(slot) && !emptyState(session, in_view)) {

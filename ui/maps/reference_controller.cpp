@@ -32,6 +32,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -422,7 +423,7 @@ void ReferenceController::show() {
   context_.scene.setReferenceTrouble(std::move(trouble));
   QString said = tr("No reference map");
   if (there) said = mapShownText(slot_);
-  if (there && slot_.remark()) said += QStringLiteral(": ") + sentences::sentenceOf(slot_.remark());
+  if (there && slot_.remark()) said = words::about(said, sentences::sentenceOf(slot_.remark()));
   if (!there && !address_.isEmpty()) said = mapProgressText(slot_);
   if (slot_.phase() == session::MapSlot::Phase::Failed) said = sentences::sentenceOf(slot_.remark());
   dock_->setMap(said, there);

@@ -35,6 +35,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "words/file_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -361,7 +362,7 @@ void TransferController::reportAdded(const QString& name, const QStringList& odd
       odd.isEmpty() ? Mark::Good : Mark::Warning,
       (odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
                      : QStringList{tr("The robot accepted %1, but stored it differently: %2.")
-                                       .arg(name, odd.join(QStringLiteral("; ")))})
+                                       .arg(name, words::strung(odd))})
           .join(QLatin1Char(' '))
           .trimmed());
   if (session::Session* const session = context_.current.session()) session->catalogue().refresh();

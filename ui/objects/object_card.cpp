@@ -10,6 +10,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/objects/object_facts.h"
 #include "ui/scene/map_scene.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -118,8 +119,7 @@ QString ObjectCard::title() const {
 
 QStringList ObjectCard::lines() const {
   QStringList lines;
-  for (const scene::ObjectProperty& fact : shown_)
-    lines << QStringLiteral("%1: %2").arg(fact.name, fact.value);
+  for (const scene::ObjectProperty& fact : shown_) lines << words::about(fact.name, fact.value);
   return lines;
 }
 

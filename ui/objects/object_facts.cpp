@@ -11,6 +11,7 @@
 #include "ui/scene/lengths.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
+#include "words/listed.h"
 #include "words/qt_versions.h"
 
 namespace mapwright::ui {
@@ -97,8 +98,7 @@ QString calledInFull(const scene::MapObject& object) {
 
 QString asText(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts) {
   QStringList lines{calledInFull(object)};
-  for (const scene::ObjectProperty& fact : facts)
-    lines << QStringLiteral("%1: %2").arg(fact.name, fact.value);
+  for (const scene::ObjectProperty& fact : facts) lines << words::about(fact.name, fact.value);
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -14,6 +14,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/objects/object_facts.h"
 #include "ui/scene/map_scene.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -113,7 +114,7 @@ void PropertiesDock::copySelected() {
   QStringList lines;
   for (int row = 0; row < model_->rowCount(); ++row) {
     if (table_->selectionModel()->isRowSelected(row))
-      lines << QStringLiteral("%1: %2").arg(facts_[std::size_t(row)].name, facts_[std::size_t(row)].value);
+      lines << words::about(facts_[std::size_t(row)].name, facts_[std::size_t(row)].value);
   }
   if (!lines.isEmpty()) Q_EMIT copyWanted(lines.join(QLatin1Char('\n')), tr("Properties copied"));
 }

@@ -15,6 +15,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/status_text.h"
 #include "ui/overlays/overlay_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -74,7 +75,7 @@ CollectionDialog::CollectionDialog(const Feature& collection, QWidget* parent)
       others << plainWords(name, 60);
   }
   if (!others.isEmpty())
-    column->addWidget(wrappedLabel(tr("Kept as they are: %1").arg(others.join(QStringLiteral(", "))), this));
+    column->addWidget(wrappedLabel(tr("Kept as they are: %1").arg(words::listed(others)), this));
   column->addStretch();
   column->addLayout(rowOf({LayoutItem::rest(), cancel_, apply_}, 8));
   setLayout(column);

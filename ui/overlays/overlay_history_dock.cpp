@@ -21,6 +21,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/overlays/overlay_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -63,7 +64,7 @@ QString summaryOf(const OverlayDocument& before, const OverlayDocument& after) {
   }
   if (told.isEmpty()) return OverlayHistoryDock::tr("Only how it is written");
   const auto count = qsizetype(changes.size());
-  const QString sentences = told.join(QStringLiteral("; "));
+  const QString sentences = words::strung(told);
   return count > kMostTold ? OverlayHistoryDock::tr("%1: %2; …").arg(overlayChangesText(count), sentences)
                            : sentences;
 }

@@ -32,6 +32,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -502,7 +503,7 @@ void OverlaysController::check() {
     for (const overlays::Flaw& flaw : overlays::flawsOf(*document, options)) {
       if (flaw.feature >= keys.size()) continue;
       const Feature& feature = document->features()[flaw.feature];
-      QString sentence = overlayCalled(feature) + QStringLiteral(": ") + sentences::sentenceOf(flaw.why);
+      QString sentence = words::about(overlayCalled(feature), sentences::sentenceOf(flaw.why));
       sentence[0] = sentence[0].toUpper();
       found->push_back({keys[flaw.feature], sentence, flaw.at_m, flaw.rule});
     }

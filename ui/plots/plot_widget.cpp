@@ -17,6 +17,7 @@
 
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -37,7 +38,7 @@ void PlotWidget::setCurves(std::vector<PlotCurve> curves) {
   curves_ = std::move(curves);
   QStringList names;
   for (const PlotCurve& curve : curves_) names << plotName(curve.selection);
-  setAccessibleDescription(names.join(QStringLiteral(", ")));
+  setAccessibleDescription(words::listed(names));
   refresh();
 }
 

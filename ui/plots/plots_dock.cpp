@@ -19,6 +19,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -203,7 +204,7 @@ void PlotsDock::removeFields(const std::set<std::string>& but_of) {
     curves.erase(fields, curves.end());
     curves.empty() ? removePlot(plot) : setCurves(plot, std::move(curves));
   }
-  if (!removed.isEmpty()) say(tr("No longer plotted: %1").arg(removed.join(QStringLiteral(", "))));
+  if (!removed.isEmpty()) say(tr("No longer plotted: %1").arg(words::listed(removed)));
 }
 
 void PlotsDock::setCurves(PlotWidget* plot, std::vector<PlotCurve> curves) {

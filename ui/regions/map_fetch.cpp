@@ -20,6 +20,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -256,9 +257,8 @@ void MapFetch::write(const jobs::WholeMapExport& map, const QString& path, disk:
     return [this, then, result = jobs::exportMap(request, run.proceed, {workers})] {
       if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
       toast(Mark::Good, tr("Saved %1")
-                            .arg(jobs::exportedFiles(QDir::toNativeSeparators(result.path),
-                                                     jobs::ExportFormat::MapServer, false)
-                                     .join(QStringLiteral(", "))));
+                            .arg(words::listed(jobs::exportedFiles(QDir::toNativeSeparators(result.path),
+                                                                   jobs::ExportFormat::MapServer, false))));
       if (then) then();
     };
   });

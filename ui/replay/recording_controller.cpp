@@ -26,6 +26,7 @@
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -161,9 +162,7 @@ recorder::Recorder* RecordingController::conclude() {
     toasts->add(Mark::Bad, sentences::wordsOf(disk::notWritten(fault)));
   } else if (const QStringList lacks = this->lacks(done); !lacks.isEmpty()) {
     toasts->add(Mark::Warning,
-                tr("Recorded to %1, but it is incomplete: %2")
-                    .arg(file, lacks.join(QStringLiteral("; ")) + QLatin1Char('.')),
-                play);
+                tr("Recorded to %1, but it is incomplete: %2.").arg(file, words::strung(lacks)), play);
   } else {
     toasts->add(Mark::Good, tr("Recorded to %1").arg(file), play);
   }

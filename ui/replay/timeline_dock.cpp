@@ -22,6 +22,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
 #include "ui/shell/window_status_bar.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -150,9 +151,9 @@ void TimelineDock::setGroups() {
   view_->setHiddenGroups(hidden);
   QStringList names;
   for (const replay::EventGroup group : hidden) names << groupName(group);
-  events_->setToolTip(
-      hidden.empty() ? tr("Which events to mark on the timeline")
-                     : plainToolTip(tr("Hidden kinds of events: %1").arg(names.join(QStringLiteral("; ")))));
+  events_->setToolTip(hidden.empty()
+                          ? tr("Which events to mark on the timeline")
+                          : plainToolTip(tr("Hidden kinds of events: %1").arg(words::strung(names))));
   events_->setIcon(hidden.empty() ? themedIcon(QStringLiteral("filter"))
                                   : QIcon(iconPixmap(QStringLiteral("filter"), 18, devicePixelRatioF(),
                                                      appColors().accent)));

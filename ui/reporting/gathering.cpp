@@ -15,6 +15,7 @@
 #include "sentences/subject_name.h"
 #include "session/layer_grids.h"
 #include "session/session_options.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui::reporting {
@@ -96,8 +97,7 @@ void Gathering::end(Stage stage) {
 bool Gathering::opened() {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Refused)
-    fail(QStringLiteral("%1: %2").arg(words::plainName(wanted_.bag.name), sentences::sentenceOf(link.reason)),
-         link.failure);
+    fail(words::about(words::plainName(wanted_.bag.name), sentences::sentenceOf(link.reason)), link.failure);
   if (shot_.over() || link.phase != robot::ConnectionPhase::Online) return false;
   if (replayed_->at() || minute_) return true;
   const robot::BagInfo& info = *replayed_->reading()->info();

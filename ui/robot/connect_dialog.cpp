@@ -21,6 +21,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/robot/found_robots.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -203,7 +204,7 @@ void ConnectDialog::fillRecents() {
     const RecentWords words = wordsOf(robot, recents_.addresses());
     auto* item = new QListWidgetItem(list_);
     item->setData(Qt::UserRole, robot.address);
-    item->setData(Qt::AccessibleTextRole, QStringLiteral("%1, %2").arg(words.title, words.detail));
+    item->setData(Qt::AccessibleTextRole, words::listed({words.title, words.detail}));
     item->setSizeHint({0, 28});
     item->setToolTip(plainToolTip(robot.address));
     auto* row = new QWidget(list_);

@@ -8,6 +8,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "ui/robot/robot_look.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -53,7 +54,7 @@ void ConnectionChip::describe() {
   const QString tip = safety_.detail.isEmpty() ? detail_ : safety_.detail + QStringLiteral("\n\n") + detail_;
   setToolTip(plainToolTip(tip));
   QString called = word_.isEmpty() ? name_ : tr("%1, %2").arg(name_, word_);
-  if (!safety_.badge.isEmpty()) called += QStringLiteral(", ") + safety_.badge;
+  if (!safety_.badge.isEmpty()) called = words::listed({called, safety_.badge});
   setAccessibleName(called);
 }
 

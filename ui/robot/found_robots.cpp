@@ -15,6 +15,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -143,7 +144,7 @@ void FoundRobots::fill() {
     auto* const item = new QListWidgetItem(list_);
     const QString kind = addresses_.titleOf(robot.address);
     const QString says = words::plainName(sentences::foundCalled(robot));
-    item->setData(Qt::AccessibleTextRole, QStringList{kind, says, robot.address}.join(QStringLiteral(", ")));
+    item->setData(Qt::AccessibleTextRole, words::listed(QStringList{kind, says, robot.address}));
     item->setSizeHint({0, 28});
     auto* const row = new QWidget(list_);
     auto* const title = new PlainLabel(kind, row);

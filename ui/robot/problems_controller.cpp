@@ -11,6 +11,7 @@
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -58,9 +59,8 @@ void ProblemsController::reportFirstError() {
   if (!dock_->visibleRegion().isEmpty()) return;
   const QString subject = words::plainName(sentences::nameOf(error->problem.subject));
   const QString sentence = sentences::sentenceOf(error->problem);
-  context_.overlay.toasts()->add(
-      Mark::Bad, subject.isEmpty() ? sentence : QStringLiteral("%1: %2").arg(subject, sentence),
-      {tr("Show problems"), [this] { context_.panels.open(dock_); }});
+  context_.overlay.toasts()->add(Mark::Bad, subject.isEmpty() ? sentence : words::about(subject, sentence),
+                                 {tr("Show problems"), [this] { context_.panels.open(dock_); }});
 }
 
 }  // namespace mapwright::ui

@@ -13,6 +13,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -131,11 +132,11 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
       return row.resolved ? QVariant(appColors().secondary_text) : QVariant();
     case Qt::ToolTipRole:
-      return plainToolTip(subjectText(row) + QStringLiteral(": ") + sentences::sentenceOf(row.problem) +
+      return plainToolTip(words::about(subjectText(row), sentences::sentenceOf(row.problem)) +
                           QLatin1Char('\n') + timesText(row));
     case Qt::AccessibleTextRole:
       return index.column() == TimeColumn
-                 ? QStringLiteral("%1, %2").arg(severityWord(row.problem.severity), row.last.toString())
+                 ? words::listed({severityWord(row.problem.severity), row.last.toString()})
                  : data(index, Qt::DisplayRole);
     default:
       return {};

@@ -17,6 +17,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/on_screen.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -127,8 +128,8 @@ QString RobotController::lackOfPlace(const session::Session& session) {
            (code == map::ProblemCode::Unplaced || (code == map::ProblemCode::Odd && !robot_is_drawn));
   });
   if (found == rows.end()) return {};
-  return QStringLiteral("%1: %2").arg(words::plainName(sentences::nameOf(found->problem.subject)),
-                                      sentences::sentenceOf(found->problem));
+  return words::about(words::plainName(sentences::nameOf(found->problem.subject)),
+                      sentences::sentenceOf(found->problem));
 }
 
 void RobotController::changePlace() {

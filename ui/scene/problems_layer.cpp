@@ -8,6 +8,7 @@
 #include "map/live_topics.h"
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
+#include "words/listed.h"
 
 namespace mapwright::ui::scene {
 namespace {
@@ -171,7 +172,7 @@ class SubmapProblems : public LayerItem {
       labels.symbol(badge);
       if (!labels.isClose()) continue;
       labels.add(LabelWish::Position::Beside, LabelRank::Thing, badge, std::hash<map::SubmapId>()(id),
-                 QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(id)), wordOf(mark.kind)),
+                 words::about(QString::fromStdString(map::toText(id)), wordOf(mark.kind)),
                  readable(markColor(context_.theme, mark.kind), context_.theme));
     }
   }

@@ -11,6 +11,7 @@
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
 #include "ui/scene/submap_classes.h"
+#include "words/listed.h"
 
 namespace mapwright::ui::scene {
 namespace {
@@ -60,8 +61,7 @@ void trajectoriesLegend(Legend& legend, const submap::SubmapStore& submaps) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i].isEmpty()) continue;
     const bool cut = numbers[i].size() > kMost;
-    const QString named =
-        numbers[i].mid(0, kMost).join(QLatin1String(", ")) + (cut ? QStringLiteral(" …") : QString());
+    const QString named = words::listed(numbers[i].mid(0, kMost)) + (cut ? QStringLiteral(" …") : QString());
     const QString text =
         numbers[i].size() == 1 ? LegendText::tr("Trajectory %1") : LegendText::tr("Trajectories %1");
     legend.addCell(text.arg(named), QColor(colors[i]));

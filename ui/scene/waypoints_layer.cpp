@@ -8,6 +8,7 @@
 #include "sentences/absence_sentence.h"
 #include "ui/scene/layer_objects.h"
 #include "ui/scene/legend.h"
+#include "words/listed.h"
 
 namespace mapwright::ui::scene {
 namespace {
@@ -242,7 +243,7 @@ DrawnWaypoint drawnFrom(const map::Waypoint& point) {
   drawn.type = shortName(point.type, kLongest);
   QStringList tags;
   for (const std::string& tag : point.tags) tags << shortName(tag);
-  drawn.tags = tags.join(QStringLiteral(", "));
+  drawn.tags = words::listed(tags);
   return drawn;
 }
 

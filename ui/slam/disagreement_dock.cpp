@@ -24,6 +24,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/wrapping_row.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -33,7 +34,7 @@ constexpr std::array kTolerances{0, 1, 4};
 QString submapNames(const std::vector<agreement::Part>& submaps) {
   QStringList names;
   for (const agreement::Part& part : submaps) names << QString::fromStdString(map::toText(part.id));
-  return names.join(QLatin1String(", "));
+  return words::listed(names);
 }
 
 /// What each of them says, a line each.

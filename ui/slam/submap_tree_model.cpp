@@ -11,6 +11,7 @@
 #include "submap/submap_store.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -424,8 +425,7 @@ QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role
         lines << tr("Version %1 is on screen.").arg(leaf.shown_version);
       }
       const QString reason = session_ ? sentences::sentenceOf(session_->reason(leaf.id)) : QString();
-      lines << (reason.isEmpty() ? statusWord(leaf.status)
-                                 : QStringLiteral("%1: %2").arg(statusWord(leaf.status), reason));
+      lines << (reason.isEmpty() ? statusWord(leaf.status) : words::about(statusWord(leaf.status), reason));
       return plainToolTip(lines.join(QLatin1Char('\n')));
     }
     case BadgesRole:

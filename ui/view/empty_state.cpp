@@ -19,6 +19,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -112,7 +113,7 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool store
       state.kind = EmptyState::Kind::MapFailed;
       state.icon = QStringLiteral("error");
       state.title = QCoreApplication::translate("window", "This map cannot be shown");
-      state.text = QStringLiteral("%1: %2").arg(name, sentences::sentenceOf(slot.remark()));
+      state.text = words::about(name, sentences::sentenceOf(slot.remark()));
       state.offers = {CardOffer::Retry};
       return state;
     case Phase::Fetching:

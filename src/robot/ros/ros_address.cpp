@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include "words/listed.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
@@ -65,7 +67,7 @@ MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
       return error(
           dispatcher ? RosAddressText::tr("The address of a map dispatcher may only have ROS names after its "
                                           "?, each once: ?ns=/NAMESPACE, or %1 with the name used instead.")
-                           .arg(known.join(QStringLiteral(", ")))
+                           .arg(words::listed(known))
                      : RosAddressText::tr(
                            "The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
     }
