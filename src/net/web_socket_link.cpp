@@ -24,13 +24,17 @@ quint32 seedOf(const WebSocketLinkOptions& options) {
   return options.jitter_seed != 0 ? options.jitter_seed : QRandomGenerator::global()->generate();
 }
 
-/// Qt gives the HTTP status of a refused handshake only in its error text, and 400 in other words than the
-/// rest.
+/// Qt gives the HTTP status of a refused handshake only in its error text, and 400 (since Qt 6.6 also 401) in
+/// other words than the rest.
 int statusIn(const QString& error_text) {
   static const QRegularExpression kStatus(QStringLiteral("status code: (\\d{3})\\b"));
   const QRegularExpressionMatch match = kStatus.match(error_text);
   if (match.hasMatch()) {
     return match.captured(1).toInt();
+  }
+  if (error_text.contains(QLatin1String("Unsupported WWW-Authenticate challenge")) ||
+      error_text.contains(QLatin1String("Host requires authentication"))) {
+    return 401;
   }
   const bool bad_request = error_text.contains(QLatin1String("processHandshake: Unknown error condition")) ||
                            error_text.contains(QLatin1String("requests a version that we don't support"));

@@ -111,6 +111,8 @@ class RobotFailuresTest : public QObject {
         FailureKind::NotARobot, "404");
     row("405", ScriptedServer::reply(405, {}, {}), FailureKind::NotARobot, FailureKind::NotARobot, "405");
     row("401", ScriptedServer::reply(401, {}, {}), FailureKind::Refused, FailureKind::Refused, "401");
+    row("401, a password", ScriptedServer::reply(401, "WWW-Authenticate: Basic realm=\"robot\"\r\n", {}),
+        FailureKind::Refused, FailureKind::Refused, "401");
     row("403", ScriptedServer::reply(403, {}, {}), FailureKind::Refused, FailureKind::Refused, "403");
     row("500", ScriptedServer::reply(500, {}, {}), FailureKind::Unreachable, FailureKind::RejectedByRobot,
         "500");
