@@ -54,7 +54,8 @@ CommandResult<pbstream::Dropped> droppedBy(const DropArguments& args) {
     if (!submap || !node)
       return wrong(Text::tr("--closure %1: give submap and node, for example 0-4:0-512.")
                        .arg(oneLine(words::text(typed))));
-    what.closures.insert({{submap->first, submap->second}, {node->first, node->second}});
+    what.closures.emplace(map::SubmapId{submap->first, submap->second},
+                          map::NodeId{node->first, node->second});
   }
   if (what.empty()) return wrong(Text::tr("Leave out what? Pass --trajectory, --submap or --closure."));
   return what;

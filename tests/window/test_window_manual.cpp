@@ -28,7 +28,8 @@ struct Reader {
     bench.key(Qt::Key_F1);
     manual = bench.window->findChild<ManualWindow*>();
     if (!manual) return;
-    QApplication::setActiveWindow(manual);
+    manual->activateWindow();
+    (void)QTest::qWaitForWindowActive(manual);
     search = manual->findChild<QLineEdit*>();
     list = manual->findChild<QListWidget*>();
     page = manual->findChild<QTextBrowser*>();
