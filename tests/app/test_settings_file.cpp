@@ -39,7 +39,8 @@ class SettingsFileTest : public QObject {
     settings.setValue(QStringLiteral("view/theme"), QStringLiteral("dark \"é\"\n"));
     settings.beginWriteArray(QStringLiteral("recentRobots"), 1);
     settings.setArrayIndex(0);
-    settings.setValue(QStringLiteral("last"), QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()));
+    settings.setValue(QStringLiteral("last"),
+                      QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()).toUTC());
     settings.endArray();
   }
   static void check(QSettings& settings) {
@@ -52,7 +53,7 @@ class SettingsFileTest : public QObject {
     QCOMPARE(settings.beginReadArray(QStringLiteral("recentRobots")), 1);
     settings.setArrayIndex(0);
     QCOMPARE(settings.value(QStringLiteral("last")).toDateTime(),
-             QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()));
+             QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()).toUTC());
     settings.endArray();
   }
 

@@ -58,7 +58,7 @@ class TestHttpCache : public QObject {
  private Q_SLOTS:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    now_ = QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc());
+    now_ = QDateTime(QDate(2030, 5, 1), QTime(12, 0), QTimeZone::utc()).toUTC();
   }
 
   void obeysTheHeaders_data() {

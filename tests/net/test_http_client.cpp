@@ -324,7 +324,7 @@ class TestHttpClient : public QObject {
   }
 
   void freshAnswersDoNotTravel() {
-    QDateTime now(QDate(2030, 1, 1), QTime(0, 0), QTimeZone::utc());
+    QDateTime now = QDateTime(QDate(2030, 1, 1), QTime(0, 0), QTimeZone::utc()).toUTC();
     ScriptedServer server([](const SeenRequest& request) {
       if (request.headers.value("if-none-match") == "W/\"v1\"") {
         return QByteArray(

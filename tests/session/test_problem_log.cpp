@@ -18,7 +18,7 @@ using session::ProblemLog;
 class ProblemLogTest : public QObject {
   Q_OBJECT
  private:
-  const QDateTime noon_ = QDateTime(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc());
+  const QDateTime noon_ = QDateTime(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc()).toUTC();
   static Subject submap(int i) { return {SubjectKind::Submap, std::to_string(i)}; }
   static map::Problem problem(int i, ProblemCode code = ProblemCode::Unavailable) {
     return {Severity::Error, submap(i), said("It is gone."), code};

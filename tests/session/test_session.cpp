@@ -477,7 +477,7 @@ class SessionTest : public QObject {
   }
 
   void problemsMayBeToldWithTheirTimes() {
-    const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc());
+    const QDateTime noon = QDateTime(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc()).toUTC();
     const map::Subject stop(map::SubjectKind::Condition, "emergency-stop");
     session_->report({map::Severity::Error, stop, map::fault::EmergencyStop}, noon);
     session_->recover({stop}, noon.addSecs(90));

@@ -120,7 +120,7 @@ class SessionMapsTest : public QObject {
 
   void aWorldThatIsGivenIsShownAsIfItsMessagesHadCome() {
     // The world of one robot, as a session keeps it ...
-    QDateTime now(QDate(2024, 5, 1), QTime(12, 0), QTimeZone::utc());
+    QDateTime now = QDateTime(QDate(2024, 5, 1), QTime(12, 0), QTimeZone::utc()).toUTC();
     Session::Options options;
     options.wall = [&] { return now; };
     make(true, true, true, false, options);

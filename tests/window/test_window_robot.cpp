@@ -117,7 +117,7 @@ class TestWindowRobot : public QObject {
   }
 
   void sortsAlertsByTheirWeightAndSaysSinceWhen() {
-    const QDateTime now(QDate(2026, 2, 3), QTime(12, 0), QTimeZone::utc());
+    const QDateTime now = QDateTime(QDate(2026, 2, 3), QTime(12, 0), QTimeZone::utc()).toUTC();
     const double today =
         double(QDateTime(QDate(2026, 2, 3), QTime(9, 8, 7), QTimeZone::utc()).toSecsSinceEpoch());
     const auto made = alertLines({{7, map::AlertLevel::Warning, "w", today},

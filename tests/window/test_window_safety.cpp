@@ -29,10 +29,11 @@ using test::kAddress;
 
 namespace {
 
-const QDateTime kNow(QDate(2026, 2, 3), QTime(14, 5), QTimeZone::utc());
+const QDateTime kNow = QDateTime(QDate(2026, 2, 3), QTime(14, 5), QTimeZone::utc()).toUTC();
 
 double at(int hour, int minute, int second, int days_ago = 0) {
   return double(QDateTime(kNow.date().addDays(-days_ago), QTime(hour, minute, second), QTimeZone::utc())
+                    .toUTC()
                     .toSecsSinceEpoch());
 }
 

@@ -384,7 +384,7 @@ class TestWindowText : public QObject {
   void problemsAreFollowedRowByRow() {
     session::ProblemLog log;
     ProblemsModel model;
-    const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc());
+    const QDateTime noon = QDateTime(QDate(2026, 1, 2), QTime(12, 0), QTimeZone::utc()).toUTC();
     const map::Subject topic(map::SubjectKind::Topic, "/x"), other(map::SubjectKind::Topic, "/y");
     log.add({map::Severity::Error, topic, fault::said("7 bytes.")}, noon);
     log.add({map::Severity::Error, other, fault::said("Odd.")}, noon);
