@@ -17,6 +17,13 @@
 
 namespace mapwright::ui {
 
+namespace {
+
+constexpr int kAroundHeadPx =
+    40;  // space and the arrow; while the window is built there is no style sheet to ask
+
+}  // namespace
+
 CarryDock::CarryDock(const CarryWords& words, const QString& name, QWidget* parent)
     : QDockWidget(words.title, parent),
       model_(new CarryModel(words, this)),
@@ -51,9 +58,9 @@ CarryDock::CarryDock(const CarryWords& words, const QString& name, QWidget* pare
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header->setSortIndicator(-1, Qt::AscendingOrder);  // as the old map lists them
   table_->setSortingEnabled(true);
-  header->ensurePolished();
   // Long names are cut, not these: the heads with the arrow of the sorted one, and verdicts with their marks.
-  const int off_px = header->sectionSizeHint(CarryModel::WallsOff);
+  const QString off = filtered_->headerData(CarryModel::WallsOff, Qt::Horizontal).toString();
+  const int off_px = header->fontMetrics().horizontalAdvance(off) + kAroundHeadPx;
   const int became_px = fontMetrics().horizontalAdvance(tr("in an obstacle")) + 52;
   header->resizeSection(CarryModel::WallsOff, off_px);
   header->resizeSection(CarryModel::Became, became_px);

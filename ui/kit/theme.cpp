@@ -171,7 +171,7 @@ bool systemIsDark(QApplication& app) {
   return known.toBool();
 }
 
-bool applyTheme(QApplication& app, ThemeChoice choice) {
+bool preparePalette(QApplication& app, ThemeChoice choice) {
   loadResources();
   const bool system_dark = systemIsDark(app);
   const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && system_dark);
@@ -184,7 +184,12 @@ bool applyTheme(QApplication& app, ThemeChoice choice) {
   app.setPalette(palette);
   for (const char* lists : {"QAbstractItemView", "QMenu"})
     app.setPalette(listPalette(palette, colors), lists);
-  app.setStyleSheet(styleSheet(colors));
+  return dark;
+}
+
+bool applyTheme(QApplication& app, ThemeChoice choice) {
+  const bool dark = preparePalette(app, choice);
+  app.setStyleSheet(styleSheet(uiColors(dark)));
   return dark;
 }
 

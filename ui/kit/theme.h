@@ -16,6 +16,11 @@ ThemeChoice themeFromName(const QString& name);  // anything else: System
 /// palettes do not change it.
 bool systemIsDark(QApplication& app);
 
+/// Sets Fusion and the palette, and removes the style sheet: for a window that is being built. With a style
+/// sheet Qt polishes a widget again, and all in it, each time it gets another parent. Returns whether it is
+/// dark now.
+bool preparePalette(QApplication& app, ThemeChoice choice);
+
 /// Sets Fusion, the palette and the style sheet. Returns whether it is dark now.
 bool applyTheme(QApplication& app, ThemeChoice choice);
 

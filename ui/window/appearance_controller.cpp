@@ -3,6 +3,8 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QEvent>
+#include <QLayout>
+#include <QWidget>
 
 #include "ui/kit/actions.h"
 #include "ui/scene/map_scene.h"
@@ -25,8 +27,13 @@ void show(ThemeChoice choice, scene::MapScene& scene) {
 
 }  // namespace
 
-void showChosenTheme(const QSettings& settings, scene::MapScene& scene) {
+void prepareChosenTheme(const QSettings& settings) { preparePalette(*qApp, chosenTheme(settings)); }
+
+void showChosenTheme(QWidget& window, const QSettings& settings, scene::MapScene& scene) {
   show(chosenTheme(settings), scene);
+  // Layouts in hidden docks would keep the sizes that their widgets had without the style sheet.
+  for (QWidget* const widget : window.findChildren<QWidget*>()) widget->updateGeometry();
+  for (QLayout* const layout : window.findChildren<QLayout*>()) layout->invalidate();
 }
 
 AppearanceController::AppearanceController(WindowContext& context, QObject* parent)

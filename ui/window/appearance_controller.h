@@ -9,9 +9,10 @@ class QActionGroup;
 
 namespace mapwright::ui {
 
-/// Applies the saved theme to the program and the map. Before any widget is made: they take their sizes from
-/// its style.
-void showChosenTheme(const QSettings& settings, scene::MapScene& scene);
+/// The saved theme without its style sheet, before any widget is made.
+void prepareChosenTheme(const QSettings& settings);
+/// Applies the saved theme to the program and the map, once all widgets of the window are made.
+void showChosenTheme(QWidget& window, const QSettings& settings, scene::MapScene& scene);
 
 class AppearanceController : public Controller {
   Q_OBJECT

@@ -104,7 +104,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   setWindowTitle(QStringLiteral("mapwright"));
   setWindowIcon(QIcon(QStringLiteral(":/mapwright.svg")));
   setObjectName(QStringLiteral("mainWindow"));
-  showChosenTheme(settings_, *scene_);
+  prepareChosenTheme(settings_);
 
   view_ = new MapView(scene_.get(), this);
   setCentralWidget(view_);
@@ -145,6 +145,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   connect(view_, &MapView::menuRequested, this, &MainWindow::showMapMenu);
   connect(view_, &MapView::escaped, this, &MainWindow::escape);
 
+  showChosenTheme(*this, settings_, *scene_);
   restoreSettings();
   note_soon_.setSingleShot(true);
   note_soon_.setInterval(kNoteAfterMs);
