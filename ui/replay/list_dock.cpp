@@ -14,7 +14,7 @@
 namespace mapwright::ui {
 
 namespace {
-constexpr int kSummaryPx = 150;
+constexpr int kSearchPx = 120, kSummaryPx = 120;
 }
 
 ListDock::ListDock(const QString& title, const QString& search, QWidget* parent)
@@ -44,7 +44,7 @@ void ListDock::layOut(QAbstractItemModel* rows, std::initializer_list<QWidget*> 
   showRows(*table_, rows, windowTitle());
   auto* const body = new QWidget(this);
   auto* const row = new WrappingRow;
-  row->add(search_, 1);
+  row->add(search_, 1, kSearchPx);
   for (QWidget* const tool : tools) row->add(tool);
   row->add(summary_, summary_stretch, kSummaryPx);
   for (QPushButton* const button : buttons) {

@@ -38,11 +38,13 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   header->resizeSection(ProblemsModel::DurationColumn,
                         fontMetrics().horizontalAdvance(QStringLiteral("59 min 59 s")) + 16);
   header->resizeSection(ProblemsModel::SubjectColumn, 150);
-  new NameColumn(table_, header, ProblemsModel::SentenceColumn,
-                 {{ProblemsModel::DurationColumn},
-                  {ProblemsModel::CountColumn},
-                  {ProblemsModel::TimeColumn},
-                  {ProblemsModel::SubjectColumn, 90}});
+  new NameColumn(
+      table_, header, ProblemsModel::SentenceColumn,
+      {{ProblemsModel::DurationColumn},
+       {ProblemsModel::CountColumn},
+       // It has the mark of the severity. Sentences are longer than any dock: they always give way.
+       {.column = ProblemsModel::TimeColumn, .may_go = false},
+       {ProblemsModel::SubjectColumn, 90}});
 
   auto* body = new QWidget(this);
   summary_->setSample(QStringLiteral("x"));

@@ -12,6 +12,9 @@ using Side = PanelPosition::Side;
 constexpr int kWidePx = 1700;   // room for docks on both sides
 constexpr int kHighPx = 900;    // room for one more dock above another
 constexpr int kNarrowPx = 960;  // below it the tools of the timeline need two lines
+// A list that the user opens below the map: its tools, heads and five rows. Only the timeline is there at
+// first.
+constexpr int kOpenedPx = 220;
 // Of a small screen the docks get this part, and the map the rest.
 constexpr double kColumn = 0.285;
 
@@ -73,7 +76,7 @@ Layout layoutFor(Role role, const QSize& window_px) {
   const bool wide = window_px.width() >= kWidePx, high = window_px.height() >= kHighPx;
   Layout layout;
   layout.left_px = wide ? 280 : 220;
-  layout.bottom_px = high ? 168 : window_px.width() < kNarrowPx ? 172 : 140;
+  layout.bottom_px = kOpenedPx;
   layout.right_px = std::clamp(int(kColumn * window_px.width()), 300, 440);
   switch (role) {
     case Role::Operate:
@@ -96,6 +99,7 @@ Layout layoutFor(Role role, const QSize& window_px) {
       break;
     case Role::Replay:
       layout.wide_bottom = true;
+      layout.bottom_px = high ? 168 : window_px.width() < kNarrowPx ? 172 : 140;
       layout.stacks = {{Side::Bottom, {kTimeline}, 1, true}, {Side::Right, {kEvents}, 2, true}};
       if (high) {
         layout.stacks.push_back({Side::Right, {kMessages}, 3, true});
