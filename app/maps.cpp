@@ -377,6 +377,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
 }
 
 CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
+  command.answerByCode();
   const QString printed = args.json ? QStringLiteral("-") : QString();
   const auto unavailable_reason =
       args.diff_picture.empty() ? std::nullopt : pngNotWritableReason(text(args.diff_picture));

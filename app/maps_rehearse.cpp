@@ -313,6 +313,7 @@ std::optional<QString> writeRehearsalPage(const RobotCommand& command, const Reh
 }
 
 CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& args) {
+  command.answerByCode();
   const QString output = text(args.output), printed = args.json ? QStringLiteral("-") : QString();
   if (const auto why = output.isEmpty() ? std::nullopt : notCreatedReason(output, args.force, args.ways))
     return wrong(*why);

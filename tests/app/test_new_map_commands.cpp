@@ -144,7 +144,7 @@ class NewMapTest : public QObject {
     large.cells.assign(std::size_t(large.width) * std::size_t(large.height), Ground::Free);
     testing::furnish(large, chance, 4000);
     putMap("large", large);
-    const tests::Ended late = run(QStringLiteral("maps align large.yaml large.yaml --timeout 0.5"));
+    const tests::Ended late = run(QStringLiteral("maps align large.yaml large.yaml --timeout 0.05"));
     QVERIFY2(late.code == 3 && late.err.contains(QLatin1String("--timeout")), qPrintable(late.err));
   }
 
