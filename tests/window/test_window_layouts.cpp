@@ -24,6 +24,8 @@
 #include "ui/maps/maps_dock.h"
 #include "ui/replay/events_dock.h"
 #include "ui/robot/connection_chip.h"
+#include "ui/robot/problems_dock.h"
+#include "ui/robot/problems_model.h"
 #include "ui/robot/robot_dock.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/window_status_bar.h"
@@ -629,6 +631,23 @@ class TestWindowLayouts : public QObject {
     waypoints.resize(300, 200);
     columns->fit();
     QVERIFY(waypoints.columnWidth(WaypointsModel::NameColumn) >= columns->wanted());
+  }
+
+  void aProblemKeepsItsMarkAndItsTime() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    auto* const problems = part<ProblemsDock>(window);
+    problems->show();
+    problems->raise();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.robot->failing = {{0, 0}};
+    bench.robot->list({test::entry(0, 0, 1, 0, 0)});
+    QTRY_COMPARE(problems->model()->rowCount(), 1);
+    auto* const table = problems->findChild<QTableView*>();
+    table->resize(220, 200);
+    table->findChild<NameColumn*>()->fit();
+    QVERIFY(!table->isColumnHidden(ProblemsModel::TimeColumn));
+    QVERIFY(table->isColumnHidden(ProblemsModel::DurationColumn));
   }
 
   void aRowOfToolsContinuesBelow() {

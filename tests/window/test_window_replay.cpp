@@ -261,6 +261,13 @@ class TestWindowReplay : public QObject {
     QVERIFY(!desk.list().emptyShown().isEmpty());
   }
 
+  void severalRowsAreInViewOnASmallScreen() {
+    Desk desk;
+    desk.connect();
+    QTableView& table = *desk.list().table();
+    QTRY_VERIFY(table.viewport()->visibleRegion().boundingRect().height() >= 4 * table.rowHeight(0));
+  }
+
   void aDamagedBagSaysSoOnItsRowAndTheRobotStays() {
     Desk desk;
     desk.connect();
