@@ -19,8 +19,8 @@ namespace mapwright::ui {
 
 namespace {
 
-constexpr int kAroundHeadPx =
-    40;  // space and the arrow; while the window is built there is no style sheet to ask
+// Space and the arrow. While the window is built there is no style sheet to ask.
+constexpr int kAroundHeadPx = 60;
 
 }  // namespace
 
