@@ -32,8 +32,8 @@ int statusIn(const QString& error_text) {
   if (match.hasMatch()) {
     return match.captured(1).toInt();
   }
-  if (error_text.contains(QLatin1String("Unsupported WWW-Authenticate challenge")) ||
-      error_text.contains(QLatin1String("Host requires authentication"))) {
+  if (error_text.contains(QLatin1String("processHandshake: Unsupported WWW-Authenticate")) ||
+      error_text.contains(QLatin1String("requires authentication"))) {
     return 401;
   }
   const bool bad_request = error_text.contains(QLatin1String("processHandshake: Unknown error condition")) ||
