@@ -18,7 +18,9 @@ ask(architecture dpkg --print-architecture)
 set(maintainer "The mapwright maintainers <maintainers@mapwright.example>")
 ask(date date -uR -d @$ENV{SOURCE_DATE_EPOCH})
 set(changelog ${root}/usr/share/doc/mapwright/changelog)
-file(WRITE ${changelog} "mapwright (${version}) bookworm; urgency=medium
+file(STRINGS /etc/os-release release REGEX "^VERSION_CODENAME=")
+string(REGEX REPLACE ".*=" "" release "${release}")
+file(WRITE ${changelog} "mapwright (${version}) ${release}; urgency=medium
 
   * NEWS.gz beside this file says what is new.
 
