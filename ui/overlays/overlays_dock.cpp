@@ -23,6 +23,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/row_selection.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
@@ -380,19 +381,12 @@ void OverlaysDock::showConflicts() {
 void OverlaysDock::showSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
-  QItemSelection selection;
-  QModelIndex last;
+  std::vector<int> rows;
   for (const FeatureKey key : editing_->selected()) {
     const QModelIndex at = sorted_->mapFromSource(model_->indexOf(key));
-    if (!at.isValid()) continue;
-    selection.select(at.siblingAtColumn(0), at.siblingAtColumn(OverlaysModel::kColumns - 1));
-    last = at;
+    if (at.isValid()) rows.push_back(at.row());
   }
-  table_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
-  if (last.isValid()) {
-    table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
-    table_->scrollTo(last);
-  }
+  selectRows(*table_, std::move(rows), 0);
   showing_selection_ = false;
 }
 

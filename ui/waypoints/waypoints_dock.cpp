@@ -1,6 +1,7 @@
 #include "ui/waypoints/waypoints_dock.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QApplication>
 #include <QComboBox>
@@ -22,6 +23,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/row_selection.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_conflicts.h"
@@ -235,28 +237,12 @@ void WaypointsDock::showWarnings() {
 void WaypointsDock::showSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
-  // Adjacent rows become one range: thousands of ranges would be compared one by one.
   std::vector<int> rows;
   for (const edit::Key& key : editing_->selected()) {
     const QModelIndex at = sorted_->mapFromSource(model_->indexOf(key));
     if (at.isValid()) rows.push_back(at.row());
   }
-  std::sort(rows.begin(), rows.end());
-  QItemSelection selection;
-  for (std::size_t i = 0; i < rows.size();) {
-    std::size_t end = i + 1;
-    while (end < rows.size() && rows[end] == rows[end - 1] + 1) ++end;
-    selection.append(QItemSelectionRange(sorted_->index(rows[i], 0),
-                                         sorted_->index(rows[end - 1], WaypointsModel::kColumns - 1)));
-    i = end;
-  }
-  const QModelIndex last =
-      rows.empty() ? QModelIndex() : sorted_->index(rows.back(), WaypointsModel::NameColumn);
-  table_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
-  if (last.isValid()) {
-    table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
-    table_->scrollTo(last);
-  }
+  selectRows(*table_, std::move(rows), WaypointsModel::NameColumn);
   showing_selection_ = false;
 }
 
