@@ -283,16 +283,16 @@ class NewMapTest : public QObject {
     putAisle();
     const auto part = [&](int map, const char* name, double row, int length) {
       const Eigen::Vector2d from = placeOf(12.5, row), to = placeOf(12.5 + length, row);
-      const auto at = [](const Eigen::Vector2d& place) {
-        return '[' + QByteArray::number(place.x()) + ',' + QByteArray::number(place.y()) + ']';
-      };
-      const QByteArray stamp = QByteArray::number(1000 * (map + 1));
-      return QByteArray(R"({"geometry":{"type":"LineString","coordinates":[)") + at(from) + ',' + at(to) +
-             R"(]},"properties":{"map":)" + QByteArray::number(map) + R"(,"map_name":")" + name +
-             R"(","stamps_s":[)" + stamp + ',' + stamp + ".5]}}";
+      const auto at = [](const Eigen::Vector2d& place) { return QJsonArray{place.x(), place.y()}; };
+      const double begun_s = 1000 * (map + 1);
+      return QJsonObject{
+          {"geometry", QJsonObject{{"type", "LineString"}, {"coordinates", QJsonArray{at(from), at(to)}}}},
+          {"properties",
+           QJsonObject{{"map", map}, {"map_name", name}, {"stamps_s", QJsonArray{begun_s, begun_s + 0.5}}}}};
     };
-    program_->put("two.geojson", R"({"features":[)" + part(0, "elsewhere", 20.5, 10) + ',' +
-                                     part(1, "old", 25.5, 12) + "]}");
+    const QJsonObject ways{
+        {"features", QJsonArray{part(0, "elsewhere", 20.5, 10), part(1, "old", 25.5, 12)}}};
+    program_->put("two.geojson", QJsonDocument(ways).toJson());
     const auto way = [&](const QString& more) {
       return run(QStringLiteral("maps rehearse ") + more + QStringLiteral(" --json"))
           .object()[QLatin1String("ways")][0]
