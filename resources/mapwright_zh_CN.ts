@@ -373,6 +373,10 @@
         <source>The walls agree, but as good as no furniture does: it may be another floor of the same shape. If you know that it is not, give one point that is on both maps.</source>
         <translation>墙是一致的，但几乎没有一件家具一致：可能是形状相同的另一楼层。如果您知道不是，请给出一个在两张地图上都有的点。</translation>
     </message>
+    <message>
+        <source>Of %1 pieces of furniture %2 stand where they stood: much was moved, or it is another floor of the same shape.</source>
+        <translation>%1 件家具中有 %2 件还在原处：许多东西被移动过，或者这是形状相同的另一楼层。</translation>
+    </message>
 </context>
 <context>
     <name>CarryText</name>
@@ -19167,8 +19171,8 @@ Theirs: %6</source>
         <translation>录制到文件继续进行。</translation>
     </message>
     <message>
-        <source>Recorded to %1, but it is incomplete: %2</source>
-        <translation>已录制到 %1，但不完整：%2</translation>
+        <source>Recorded to %1, but it is incomplete: %2.</source>
+        <translation>已录制到 %1，但不完整：%2。</translation>
     </message>
 </context>
 <context>
@@ -24903,22 +24907,6 @@ Qt %2，编译时为 %3</translation>
         <translation>分块</translation>
     </message>
     <message>
-        <source>reconnecting%1%2</source>
-        <translation>正在重新连接%1%2</translation>
-    </message>
-    <message>
-        <source>reconnecting now%1%2</source>
-        <translation>现在重新连接%1%2</translation>
-    </message>
-    <message>
-        <source>reconnecting in %1 s%2%3</source>
-        <translation>%1 s 后重新连接%2%3</translation>
-    </message>
-    <message>
-        <source>refused%1</source>
-        <translation>被拒绝%1</translation>
-    </message>
-    <message>
         <source>charging</source>
         <translation>充电中</translation>
     </message>
@@ -24941,6 +24929,18 @@ Qt %2，编译时为 %3</translation>
     <message>
         <source>remote</source>
         <translation>遥控</translation>
+    </message>
+    <message>
+        <source>reconnecting%1</source>
+        <translation>正在重新连接%1</translation>
+    </message>
+    <message>
+        <source>reconnecting now%1</source>
+        <translation>现在重新连接%1</translation>
+    </message>
+    <message>
+        <source>reconnecting in %1 s%2</source>
+        <translation>%1 s 后重新连接%2</translation>
     </message>
 </context>
 <context>

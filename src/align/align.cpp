@@ -350,6 +350,7 @@ void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheet
   out.best = Candidate{best.pose, score};
   if (found.size() > 1) out.second = Candidate{found[1].pose, found[1].quality.score()};
   out.agreement = agreementOn(old_map, new_map, fine, best.pose);
+  if (!by_pair) out.furniture = furnitureOf(old_map, new_map, best.pose);
   const double cell_m = std::max(old_map.resolution_m, new_map.resolution_m);
   out.doubt = out.agreement.overlap < kOverlap || best.quality.seen < kSeen           ? Doubt::LittleSeen
               : !by_pair && mirroredFitsBetter(new_map, fine, points, best, mirrored) ? Doubt::Mirrored
@@ -358,7 +359,7 @@ void judge(Alignment& out, const Plan& old_map, const Plan& new_map, const Sheet
               : !by_pair && slides(fine, points, best)                                ? Doubt::Slides
               : bent(out.agreement, bendOf(fine, points, best.pose), cell_m)          ? Doubt::Bent
               : !heldByWalls(fine, points, best.pose)                                 ? Doubt::Loose
-              : !by_pair && furnitureOf(old_map, new_map, best.pose).allDiffers()     ? Doubt::OtherFloor
+              : out.furniture.allDiffers()                                            ? Doubt::OtherFloor
                                                                                       : Doubt::None;
 }
 

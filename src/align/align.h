@@ -72,9 +72,21 @@ enum class Doubt {
   PairsAgainstWalls,  // with them the walls agree no better than by chance
 };
 
+/// Pieces that stand free, of both maps, where the other one saw the place; `again`: those that are there,
+/// too.
+struct Furniture {
+  std::size_t pieces = 0, again = 0;
+  /// There are many, and as good as none is there again.
+  bool allDiffers() const;
+  /// Some can be compared, and most are not there again.
+  bool mostDiffers() const;
+  bool operator==(const Furniture&) const = default;
+};
+
 struct Alignment {
   std::optional<Candidate> best, second;
   Agreement agreement;  // of the best
+  Furniture furniture;  // at the best; none where a pair by hand decides
   Doubt doubt = Doubt::NoOverlap;
   /// Of each pair by hand, metres: for three and more what is left when the others decide.
   std::vector<double> pair_residuals_m;

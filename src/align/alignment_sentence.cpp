@@ -24,6 +24,17 @@ QString partText(const Agreement& agreement) {
                   figure(agreement.part->middle_m.y(), 1));
 }
 
+/// How sure it is that this is the same floor; empty when nothing speaks against it.
+QString furnitureText(const Furniture& furniture) {
+  if (!furniture.mostDiffers()) return {};
+  return QLatin1Char(' ') + AlignmentText::tr(
+                                "Of %1 pieces of furniture %2 stand where they stood: much was moved, or it "
+                                "is another floor of the "
+                                "same shape.")
+                                .arg(furniture.pieces)
+                                .arg(furniture.again);
+}
+
 QString pairHint(const Alignment& alignment) {
   return alignment.pair_residuals_m.empty()
              ? AlignmentText::tr("Give one point that is on both maps; it decides between the candidates.")
@@ -126,7 +137,7 @@ QString alignmentText(const Alignment& alignment) {
   const QString share =
       AlignmentText::tr("%1 % of the old map's walls have a wall of the new map within 10 cm.")
           .arg(percent(alignment.agreement.forward.within_10cm)) +
-      partText(alignment.agreement);
+      partText(alignment.agreement) + furnitureText(alignment.furniture);
   if (alignment.pair_residuals_m.empty())
     return AlignmentText::tr("Sure: the maps fit in one way only. %1").arg(share);
   if (alignment.pair_residuals_m.size() == 1) {

@@ -2,20 +2,12 @@
 // functions.
 #pragma once
 
-#include <cstddef>
-
+#include "align/align.h"
 #include "align/plan.h"
 #include "geometry/pose.h"
 
 namespace mapwright::align {
 
-/// Pieces that stand free, of both maps, where the other one saw the place; `again`: those that are there,
-/// too.
-struct Furniture {
-  std::size_t pieces = 0, again = 0;
-  /// There are many, and as good as none is there again.
-  bool allDiffers() const;
-};
 Furniture furnitureOf(const Plan& old_map, const Plan& new_map, const geometry::Pose2& pose);
 
 }  // namespace mapwright::align

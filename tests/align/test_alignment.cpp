@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "align/align.h"
+#include "align/alignment_sentence.h"
 #include "align/furniture.h"
 #include "align/plan_of.h"
 #include "buildings.h"
@@ -455,9 +456,22 @@ class TestAlignment : public QObject {
     };
     QVERIFY(furniture(roomWithDesks([](int, int) { return true; })).allDiffers());
     // Half of it was moved: it is the same floor. Nothing stands free: nothing tells.
-    QVERIFY(!furniture(roomWithDesks([](int x, int y) { return (x + y) % 2 == 0; })).allDiffers());
+    const auto half = furniture(roomWithDesks([](int x, int y) { return (x + y) % 2 == 0; }));
+    QVERIFY(!half.allDiffers() && !half.mostDiffers());
     const Plan empty = roomWithDesks([](int, int) { return std::nullopt; });
     QVERIFY(!align::furnitureOf(empty, empty, {}).allDiffers());
+  }
+
+  void littleFurnitureThatIsThereAgainIsSaid() {
+    align::Alignment found;
+    found.best = align::Candidate{{}, 0.9};
+    found.doubt = align::Doubt::None;
+    found.furniture = {11, 1};
+    QVERIFY(align::alignmentText(found).contains(QLatin1String("Of 11 pieces of furniture 1 stand")));
+    found.furniture = {11, 6};
+    QVERIFY(!align::alignmentText(found).contains(QLatin1String("furniture")));
+    found.furniture = {3, 0};  // too few to tell anything
+    QVERIFY(!align::alignmentText(found).contains(QLatin1String("furniture")));
   }
 
   void aBentMapIsNotSure_data() {
