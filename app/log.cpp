@@ -14,7 +14,7 @@
 #include "app/log_file.h"
 #include "app/output.h"
 #include "net/log.h"
-#include "robot/wire/unsaid.h"
+#include "net/unsaid.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
 
@@ -30,7 +30,7 @@ const QStringList kParts = {QStringLiteral("app"),       QStringLiteral("net"), 
 /// threads may still write when the program ends.
 struct Hidden {
   std::mutex mutex;
-  std::map<QByteArray, robot::wire::Unsaid> secrets{{QByteArray(), {}}};  // also without one: what proves it
+  std::map<QByteArray, net::Unsaid> secrets{{QByteArray(), {}}};  // also without one: what proves it
   /// An address with more in it than a host and a path.
   const QRegularExpression address{
       QStringLiteral("[A-Za-z][A-Za-z0-9+.-]*://[^\\s\"'<>]*[?@#][^\\s\"'<>]*"

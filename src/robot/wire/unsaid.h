@@ -1,8 +1,8 @@
-// What is never repeated of a robot's words: the secret that it was given, and what rosauth proves it with.
+// What is never repeated of a robot's words (net/unsaid.h).
 #pragma once
 
+#include <memory>
 #include <string>
-#include <vector>
 
 #include <QByteArray>
 #include <QObject>
@@ -10,16 +10,17 @@
 #include "map/catalogue.h"
 #include "robot/robot.h"
 
+namespace mapwright::net {
+class Unsaid;
+}
+
 namespace mapwright::robot::wire {
 
-/// Immutable; any thread.
+/// In what robots say. Immutable; any thread.
 class Unsaid {
  public:
-  Unsaid() = default;
-  /// Shorter secrets stay: they are part of other words.
-  explicit Unsaid(const QByteArray& secret, std::size_t shortest = 4);
+  explicit Unsaid(const QByteArray& secret = {});
 
-  /// Puts "***" in its place.
   void hideIn(std::string& words) const;
   void hideIn(QString& words) const;
   void hideIn(QByteArray& utf8) const;
@@ -37,8 +38,7 @@ class Unsaid {
   }
 
  private:
-  std::vector<std::string>
-      forms_;  // as it is, in addresses, in JSON, as base64, as texts of robots are shown
+  std::shared_ptr<const net::Unsaid> secret_;
 };
 
 /// Of a RobotLink; nothing for other objects.
