@@ -75,6 +75,9 @@ QString sentenceOf(const CLI::ParseError& error) {
        [](Parts of) { return Text::tr("%1: %2 is not a number that fits").arg(of[1], of[2]); }},
       {"^(.+): Value (.*) not in range (\\S+) to (\\S+)$",
        [](Parts of) {
+         bool number = false;
+         of[2].toDouble(&number);
+         if (!number) return Text::tr("%1: \"%2\" is not a number").arg(of[1], of[2]);
          return Text::tr("%1: %2 is not between %3 and %4")
              .arg(of[1], of[2], withoutZeros(of[3]), withoutZeros(of[4]));
        }},

@@ -145,13 +145,13 @@ class CommandLineTest : public QObject {
     row("snapshot --robot demo: -o p.png --slice 1.5",
         "--slice: 1.5 is not a number that fits (see mapwright snapshot --help)");
     row("simulate --points many", "--points: \"many\" is not a number (see mapwright simulate --help)");
-    row("simulate --port 70000", "--port: 70000 is not between 0 and 65535 (see mapwright simulate --help)");
+    row("simulate --port 70000", "--port: 70000 is not a number that fits (see mapwright simulate --help)");
     row("maps list --secret-file-for demo:",
         "--secret-file-for needs ADDRESS FILE (see mapwright maps list --help)");
-    row("slam constraints --kind x",
-        "--kind: x is not one of inter, intra, all (see mapwright slam constraints --help)");
+    row("slam closures --kind x",
+        "--kind: x is not one of inter, intra, all (see mapwright slam closures --help)");
     row("--json", "--json goes only with --version (see mapwright --help)");
-    row("maps list -o x.png -o y.png", "-o: no such option of maps list.");
+    row("snapshot -o x.png -o y.png", "--output is given more than once (see mapwright snapshot --help)");
     row("maps list --robot demo: --robot demo:",
         "--robot is given more than once (see mapwright maps list --help)");
     // What every command has may stand before it and behind it.

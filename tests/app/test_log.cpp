@@ -243,7 +243,7 @@ class LogTest : public QObject {
 
   void valuesInAnAddressAreNotInTheLog() {
     const Outcome outcome =
-        run(QStringLiteral("maps list --robot rep130+ws://127.0.0.1:1?ns=/hush&get_map=/tok-en --log all"));
+        run(QStringLiteral("maps list --robot rep130+ws://127.0.0.1:1?ns=/hush&get_map=/token --log all"));
     QCOMPARE(outcome.code, 3);
     QVERIFY2(outcome.err.contains("robot rep130+ws://127.0.0.1:1?ns=…&get_map=…, secret: none"),
              outcome.err.constData());
