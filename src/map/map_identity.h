@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace mapwright::map {
 
@@ -12,9 +13,14 @@ struct MapIdentity {
   bool empty() const { return uid.empty() && name.empty(); }
   /// Both have a uid: then names do not count.
   bool comparable(const MapIdentity& other) const { return !uid.empty() && !other.uid.empty(); }
-  /// Uids decide; where one is not known, names.
+  /// Uids decide; where one is not known, names. The file of a map is called like it, with an ending.
   bool isSame(const MapIdentity& other) const {
-    return comparable(other) ? uid == other.uid : !name.empty() && name == other.name;
+    return comparable(other) ? uid == other.uid : !name.empty() && bare(name) == bare(other.name);
+  }
+
+ private:
+  static std::string_view bare(std::string_view name) {
+    return name.substr(0, name.size() - (name.ends_with(".yaml") ? 5 : name.ends_with(".yml") ? 4 : 0));
   }
 };
 

@@ -281,17 +281,21 @@ class NewMapTest : public QObject {
   /// Both maps have the same coordinates.
   void thePartIsRehearsedThatTheRecordingSaysIsOfTheOldMap() {
     putAisle();
-    const auto part = [&](int map, const char* name, double row, int length) {
+    const auto part = [&](int map, const QString& name, double row, int length) {
       const Eigen::Vector2d from = placeOf(12.5, row), to = placeOf(12.5 + length, row);
       const auto at = [](const Eigen::Vector2d& place) { return QJsonArray{place.x(), place.y()}; };
       const double begun_s = 1000 * (map + 1);
-      return QJsonObject{
-          {"geometry", QJsonObject{{"type", "LineString"}, {"coordinates", QJsonArray{at(from), at(to)}}}},
-          {"properties",
-           QJsonObject{{"map", map}, {"map_name", name}, {"stamps_s", QJsonArray{begun_s, begun_s + 0.5}}}}};
+      return QJsonObject{{QStringLiteral("geometry"),
+                          QJsonObject{{QStringLiteral("type"), QStringLiteral("LineString")},
+                                      {QStringLiteral("coordinates"), QJsonArray{at(from), at(to)}}}},
+                         {QStringLiteral("properties"),
+                          QJsonObject{{QStringLiteral("map"), map},
+                                      {QStringLiteral("map_name"), name},
+                                      {QStringLiteral("stamps_s"), QJsonArray{begun_s, begun_s + 0.5}}}}};
     };
     const QJsonObject ways{
-        {"features", QJsonArray{part(0, "elsewhere", 20.5, 10), part(1, "old", 25.5, 12)}}};
+        {QStringLiteral("features"), QJsonArray{part(0, QStringLiteral("elsewhere"), 20.5, 10),
+                                                part(1, QStringLiteral("old"), 25.5, 12)}}};
     program_->put("two.geojson", QJsonDocument(ways).toJson());
     const auto way = [&](const QString& more) {
       return run(QStringLiteral("maps rehearse ") + more + QStringLiteral(" --json"))
