@@ -13183,10 +13183,6 @@ Expected at %2</source>
         <source>Show it</source>
         <translation>显示它</translation>
     </message>
-    <message>
-        <source>Other changes to this map are still unsaved.</source>
-        <translation>此地图的其他更改尚未保存。</translation>
-    </message>
 </context>
 <context>
     <name>mapwright::ui::EmptyStateCard</name>

@@ -1,5 +1,4 @@
 // Waypoints of the reference map on the map on screen: what becomes of each, and those that are carried over.
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -397,26 +396,6 @@ class TestWindowCarry : public QObject {
     bench.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(bench.overlayEditing().document().mine().features().size(), std::size_t(1));
     QCOMPARE(bench.overlayColumn(CarryModel::Became), QStringLiteral("kept|kept|outside|there already|kept"));
-  }
-
-  void whatIsStillUnsavedAfterCtrlSIsSaid() {
-    CarryBench bench;
-    bench.openOverlays();
-    QTest::mouseClick(bench.overlays().dock()->soundButton(), Qt::LeftButton);
-    QTRY_VERIFY(bench.reference_dock().carryButton()->isEnabled());
-    QTest::mouseClick(bench.reference_dock().carryButton(), Qt::LeftButton);
-    bench.waitForList();
-    QTest::mouseClick(bench.carry().soundButton(), Qt::LeftButton);
-    QVERIFY(part<WaypointsController>(*bench.window)->unsaved());
-    bench.window->findChild<QAction*>(QStringLiteral("save"))->trigger();
-    // The waypoints of this robot are written at once, the overlays are asked about.
-    QTRY_VERIFY(!part<WaypointsController>(*bench.window)->unsaved());
-    QTRY_VERIFY(part<OverlaysController>(*bench.window)->review());
-    QVERIFY(part<OverlaysController>(*bench.window)->unsaved());
-    QVERIFY(part<MapOverlay>(*bench.window)
-                ->toasts()
-                ->texts()
-                .contains(QStringLiteral("Other changes to this map are still unsaved.")));
   }
 
   void theBoxOfAllOverlaysGrowsWithThemAndIsTakenBackWithThem() {

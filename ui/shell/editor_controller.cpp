@@ -9,9 +9,7 @@
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
-#include "ui/shell/unsaved_changes.h"
 #include "ui/view/map_overlay.h"
-#include "ui/view/toast_stack.h"
 
 namespace mapwright::ui {
 
@@ -72,10 +70,6 @@ void EditorController::answer(Leaving leaving) {
 }
 
 void EditorController::onAllSaved() {
-  // One key saves all of them, but some are asked about, and may be left so.
-  if (!unsaved() && context_.unsaved.any())
-    context_.overlay.toasts()->add(Mark::Warning, tr("Other changes to this map are still unsaved."), {},
-                                   QStringLiteral("stillUnsaved"));
   if (const auto then = std::exchange(when_saved_, nullptr))
     QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
 }
