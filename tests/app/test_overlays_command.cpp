@@ -94,11 +94,11 @@ class OverlaysCommandTest : public QObject {
     program_->put("broken.yaml",
                   "image: broken.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
-    program_->put("broken.overlays.geojson", "{\"type\":");
-    for (const char* words : {"overlays get -o - --robot broken.yaml"}) {
-      const Ended ended = program_->run(QString::fromLatin1(words).split(QLatin1Char(' ')));
-      QVERIFY2(ended.code == 2 && ended.err.contains(QLatin1String("broken.yaml")), qPrintable(ended.err));
-    }
+    QVERIFY(QDir().mkdir(program_->path("broken.overlays.geojson")));
+    const Ended ended =
+        program_->run(QStringLiteral("overlays get -o - --robot broken.yaml").split(QLatin1Char(' ')));
+    QVERIFY2(ended.code == 2 && ended.err.contains(QLatin1String("broken.overlays.geojson")),
+             qPrintable(ended.err));
   }
 
   void onlyWhatWasEditedIsChanged() {

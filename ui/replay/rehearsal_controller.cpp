@@ -329,11 +329,12 @@ void RehearsalController::run(const QString& track_file) {
 }
 
 map::MapIdentity RehearsalController::drivenOn() const {
-  session::Session& session = *context_.current.session();
-  const session::MapSlot& whole = session.wholeMap();
+  const session::Session* const session = context_.current.session();
+  if (!session) return {};
+  const session::MapSlot& whole = session->wholeMap();
   const map::MapKey key = laid_ ? laid_->key : whole.key();
-  if (laid_ && laid_->reader != &session.robot()) return {{}, laid_->name};
-  const session::Catalogue& catalogue = session.catalogue();
+  if (laid_ && laid_->reader != &session->robot()) return {{}, laid_->name};
+  const session::Catalogue& catalogue = session->catalogue();
   const auto* const entry = key.kind == map::MapKind::Live ? catalogue.current() : catalogue.find(key);
   if (entry) return {entry->uid, entry->name};
   return {{}, laid_ ? laid_->name : whole.shown().name};
