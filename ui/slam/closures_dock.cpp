@@ -77,8 +77,11 @@ ClosuresDock::ClosuresDock(QWidget* parent)
   bold.setBold(true);
   const int letter_px = fontMetrics().averageCharWidth(),
             arrow_px = QFontMetrics(bold).horizontalAdvance(ClosuresModel::roomForArrow()) + 2;
+  // While the window is built there is no style sheet to ask for the space around a head.
+  constexpr int kMorePx = 12;
   const auto widen = [&](int column, int letters) {
-    header->resizeSection(column, std::max(letters * letter_px, header->sectionSizeHint(column) + arrow_px));
+    header->resizeSection(
+        column, std::max(letters * letter_px, header->sectionSizeHint(column) + kMorePx + arrow_px));
   };
   for (const int column : {ClosuresModel::ResidualColumn, ClosuresModel::TurnColumn})
     widen(column, kNumberLetters);
