@@ -128,7 +128,7 @@ CommandResult<int> addMap(RobotCommand& command, const TransferArguments& args, 
   if (odd.isEmpty()) return kDone;
   return reading.failure(
       kIncomplete,
-      Text::tr("The robot accepted the map, but stored it differently: %1.").arg(words::strung(odd)));
+      Text::tr("The robot accepted the map, but stored it differently: %1.").arg(words::joined(odd)));
 }
 
 CommandResult<int> mapsUpload(RobotCommand& command, const TransferArguments& args) {

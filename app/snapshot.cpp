@@ -165,7 +165,7 @@ QString layersHelp() {
   return Text::tr(
              "Layers, separated by commas: %1; or all (except %2); or none (only the map). NAME=TOPIC "
              "selects the topic for a grid, path or target of a ROS robot")
-      .arg(namesOfLayers().join(QLatin1Char(',')), words::strung(not_in_all));
+      .arg(namesOfLayers().join(QLatin1Char(',')), words::joined(not_in_all));
 }
 
 /// Called at the deadline if the run is not finished: reports it, also in the report.

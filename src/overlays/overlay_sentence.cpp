@@ -101,7 +101,7 @@ QString featureChange(const OverlayChange& change, const Feature& before, const 
                    .arg(partName(part), called, was);
     }
   }
-  return words::strung(parts);
+  return words::joined(parts);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ QString wordsOf(const Fault& fault) {
 QString wordsOf(const std::vector<Fault>& faults) {
   QStringList words;
   for (const Fault& fault : faults) words << wordsOf(fault);
-  return words::strung(words);
+  return words::joined(words);
 }
 
 QString sentenceOf(const Fault& fault) {

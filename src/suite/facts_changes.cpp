@@ -373,7 +373,7 @@ Explanation explained(const compare::Comparison& comparison, const geometry::Vie
   return made;
 }
 
-QString firstChanges(const QStringList& changes) { return firstOf(changes, words::strung); }
+QString firstChanges(const QStringList& changes) { return firstOf(changes, words::joined); }
 
 QString explanationText(const compare::Comparison& comparison, const geometry::ViewTransform& view,
                         const Explanation& explanation) {

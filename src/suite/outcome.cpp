@@ -34,7 +34,7 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
     row.size = QString::fromStdString(words::grouped(cluster.pixels));
     if (view) row.place = compare::placeText(compare::worldOf(*view, box).center());
     if (rows.size() < explanation.near.size()) {
-      row.near = words::strung(explanation.near[rows.size()]);
+      row.near = words::joined(explanation.near[rows.size()]);
       if (row.near.isEmpty() && explanation.everywhere.isEmpty())
         row.near = OutcomeText::tr("nothing that is known");
     }

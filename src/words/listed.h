@@ -12,7 +12,7 @@ inline QString listed(const QStringList& words) {
   return words.join(QCoreApplication::translate("Punctuation", ", ", "between the words of a list"));
 }
 /// "2 walls moved; 1 door renamed": of parts that may have commas in them.
-inline QString strung(const QStringList& clauses) {
+inline QString joined(const QStringList& clauses) {
   return clauses.join(QCoreApplication::translate("Punctuation", "; ", "between clauses"));
 }
 /// "Speed: fast": what it is about, and what is said of it.

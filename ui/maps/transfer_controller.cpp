@@ -362,7 +362,7 @@ void TransferController::reportAdded(const QString& name, const QStringList& odd
       odd.isEmpty() ? Mark::Good : Mark::Warning,
       (odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
                      : QStringList{tr("The robot accepted %1, but stored it differently: %2.")
-                                       .arg(name, words::strung(odd))})
+                                       .arg(name, words::joined(odd))})
           .join(QLatin1Char(' '))
           .trimmed());
   if (session::Session* const session = context_.current.session()) session->catalogue().refresh();

@@ -64,7 +64,7 @@ QString summaryOf(const OverlayDocument& before, const OverlayDocument& after) {
   }
   if (told.isEmpty()) return OverlayHistoryDock::tr("Only how it is written");
   const auto count = qsizetype(changes.size());
-  const QString sentences = words::strung(told);
+  const QString sentences = words::joined(told);
   return count > kMostTold ? OverlayHistoryDock::tr("%1: %2; …").arg(overlayChangesText(count), sentences)
                            : sentences;
 }

@@ -162,7 +162,7 @@ recorder::Recorder* RecordingController::conclude() {
     toasts->add(Mark::Bad, sentences::wordsOf(disk::notWritten(fault)));
   } else if (const QStringList lacks = this->lacks(done); !lacks.isEmpty()) {
     toasts->add(Mark::Warning,
-                tr("Recorded to %1, but it is incomplete: %2.").arg(file, words::strung(lacks)), play);
+                tr("Recorded to %1, but it is incomplete: %2.").arg(file, words::joined(lacks)), play);
   } else {
     toasts->add(Mark::Good, tr("Recorded to %1").arg(file), play);
   }

@@ -153,7 +153,7 @@ void TimelineDock::setGroups() {
   for (const replay::EventGroup group : hidden) names << groupName(group);
   events_->setToolTip(hidden.empty()
                           ? tr("Which events to mark on the timeline")
-                          : plainToolTip(tr("Hidden kinds of events: %1").arg(words::strung(names))));
+                          : plainToolTip(tr("Hidden kinds of events: %1").arg(words::joined(names))));
   events_->setIcon(hidden.empty() ? themedIcon(QStringLiteral("filter"))
                                   : QIcon(iconPixmap(QStringLiteral("filter"), 18, devicePixelRatioF(),
                                                      appColors().accent)));

@@ -113,7 +113,7 @@ QString changeText(const std::optional<map::Waypoint>& before, const std::option
     if (changed & field)
       parts << WaypointsText::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
   }
-  return parts.isEmpty() ? WaypointsText::tr("unchanged") : words::strung(parts);
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : words::joined(parts);
 }
 
 QString conflictText(const edit::Conflict& conflict) {
