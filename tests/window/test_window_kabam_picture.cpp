@@ -415,7 +415,10 @@ class TestWindowKabamPicture : public QObject {
     hall.save();
     QTRY_VERIFY(!hall.control().saving());
     QVERIFY(hall.editing().unsaved());
-    QVERIFY2(hall.status().contains(QLatin1String("Not confirmed")), qPrintable(hall.status()));
+    // The robot may send the picture that it has within that time, or not.
+    QVERIFY2(hall.status().contains(QLatin1String("Not confirmed")) ||
+                 hall.status().contains(QLatin1String("the same picture as before")),
+             qPrintable(hall.status()));
   }
 
   void aLinkLostAfterwardsIsNoDoubtOnceItIsBack() {
