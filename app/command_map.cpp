@@ -63,8 +63,7 @@ MapBelow mapBelow(RobotReading& reading, const map::MapKey& key) {
     return {{}, Text::tr("The robot sends it by region.")};
   session.openMap(key);
   const bool in_time = reading.waitUntil([&] { return slot.key() == key && slot.settled(); }, kMapWithinS);
-  if (slot.cells() && slot.shown().key == key && slot.cells()->complete())
-    return {{slot.cells(), slot.reference()}, {}};
+  if (slot.shown().key == key && slot.isWhole()) return {{slot.cells(), slot.reference()}, {}};
   if (slot.remark()) return {{}, sentences::sentenceOf(*slot.remark())};
   return {{}, in_time ? QString() : Text::tr("It had not arrived in time.")};
 }

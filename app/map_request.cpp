@@ -250,8 +250,7 @@ std::optional<render::PlacedGrid> MapRequest::grid() const {
 
 bool MapRequest::complete() const {
   const session::MapSlot& slot = session_.wholeMap();
-  return shown() && slot.key() == *key_ && slot.phase() == Phase::Ready && slot.cells()->complete() &&
-         !slot.broken() && !live_broken_;
+  return shown() && slot.key() == *key_ && slot.phase() == Phase::Ready && slot.isWhole() && !live_broken_;
 }
 
 }  // namespace mapwright::app

@@ -11535,6 +11535,10 @@ Do you want to delete it anyway?</source>
         <source>The map on screen has changed since then. As it was: %1</source>
         <translation>此后屏幕上的地图已改变。改变前的结果：%1</translation>
     </message>
+    <message>
+        <source>Parts of the map on screen could not be read.</source>
+        <translation>屏幕上的地图有部分无法读取。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::CertificateDialog</name>
@@ -13652,6 +13656,10 @@ Expected at %2</source>
     <message>
         <source>Cancelled. Nothing was written.</source>
         <translation>已取消，未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Parts of this map could not be read. They would be unknown cells.</source>
+        <translation>此地图有部分无法读取，导出后将成为未知栅格。</translation>
     </message>
 </context>
 <context>
@@ -19972,6 +19980,10 @@ Theirs: %6</source>
     <message>
         <source>Still shown: %1</source>
         <translation>仍在显示：%1</translation>
+    </message>
+    <message>
+        <source>Parts of the map on screen could not be read.</source>
+        <translation>屏幕上的地图有部分无法读取。</translation>
     </message>
 </context>
 <context>

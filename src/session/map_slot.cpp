@@ -60,6 +60,8 @@ MapSlot::~MapSlot() {
 
 bool MapSlot::broken() const { return broken_ || (shown_cells_ && shown_cells_->trouble().any()); }
 
+bool MapSlot::isWhole() const { return shown_cells_ && shown_whole_ && !shown_cells_->trouble().any(); }
+
 map::Subject MapSlot::subject() const { return map::subjectOf(key_, name_.toStdString()); }
 
 void MapSlot::cancel() {
@@ -209,16 +211,17 @@ void MapSlot::onOpened(quint64 generation, const std::shared_ptr<Opened>& opened
   reading_ = opened;
   const bool whole_shown = shown_cells_ && shown_.key == opened->map.key && shown_cells_->complete();
   const bool update = whole_shown && !opened->cells->complete();
-  if (!update) put(opened);
+  if (!update) put(opened, false);
 }
 
-void MapSlot::put(const std::shared_ptr<Opened>& opened) {
+void MapSlot::put(const std::shared_ptr<Opened>& opened, bool whole) {
   if (!(shown_.key == opened->map.key)) waypoints_ = {};
   if (coming_waypoints_) waypoints_ = *std::exchange(coming_waypoints_, std::nullopt);
   shown_ = opened->map;
   shown_source_ = opened->source;
   shown_cells_ = opened->cells;
   shown_generation_ = opened->generation;
+  shown_whole_ = whole;
   Q_EMIT changed();
 }
 
@@ -263,10 +266,11 @@ void MapSlot::onEnd(quint64 generation, const std::optional<Fault>& error) {
     Q_EMIT recovered({subject(), map::ProblemCode::Unreadable});
   }
   if (opened->cells == shown_cells_) {
+    shown_whole_ = !error;
     Q_EMIT rowsArrived();
     Q_EMIT changed();
   } else {
-    put(opened);
+    put(opened, !error);
   }
   if (next_) show(*std::exchange(next_, std::nullopt));
 }

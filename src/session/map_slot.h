@@ -55,6 +55,9 @@ class MapSlot : public QObject {
   bool settled() const { return phase_ != Phase::Fetching && phase_ != Phase::Reading; }
   /// The picture is truncated or could not be read completely: part of it is missing.
   bool broken() const;
+  /// The picture on screen was read to its end, and no part of it is missing. Of one that breaks off the
+  /// rest is unknown, and cells() is complete() all the same.
+  bool isWhole() const;
   double progress() const;  // 0..1 of the rows, while Reading
   /// What was requested last, and what is on screen (they differ while one replaces the other).
   const map::MapKey& key() const { return key_; }
@@ -100,7 +103,7 @@ class MapSlot : public QObject {
   void onOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
   void onRows(quint64 generation);
   void onEnd(quint64 generation, const std::optional<Fault>& error);
-  void put(const std::shared_ptr<Opened>& opened);
+  void put(const std::shared_ptr<Opened>& opened, bool whole);
   void cancel();
   map::Subject subject() const;
 
@@ -124,7 +127,8 @@ class MapSlot : public QObject {
   quint64 shown_generation_ = 0;        // of the map on screen
   std::shared_ptr<Listener> listener_;  // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
-  bool cache_told_ = false;  // reported that nothing can be cached on disk
+  bool shown_whole_ = false;  // isWhole(), but for its file
+  bool cache_told_ = false;   // reported that nothing can be cached on disk
   const std::unique_ptr<const grids::Resources> resources_;
   work::Tasks tasks_;
 };

@@ -85,6 +85,32 @@ class TestWindowOverlayFlaws : public QObject {
                  QStringList{QStringLiteral("Waypoint Desk: The robot cannot get here from its charger.")});
   }
 
+  void whatIsNotCheckedIsSaidInThePanelAndBeforeSaving() {
+    Desk desk;
+    simulator::Faults faults;  // before the window opens: a map on its way would still be whole
+    faults.truncated_maps = true;
+    desk.sim.setFaults(faults);
+    desk.start();
+    QTest::keyClick(desk.window->view(), Qt::Key_E);
+    QTRY_COMPARE(desk.document().size(), std::size_t(3));
+    const auto said = [&] {
+      QStringList all;
+      for (const QLabel* label : desk.dock().flaws()->findChildren<QLabel*>())
+        if (!label->isHidden()) all << label->text();
+      return all.join(QLatin1Char(' '));
+    };
+    // For good, not only while it is being read.
+    QTRY_VERIFY2(said().contains(QLatin1String("Walls and reachability are not checked. ")),
+                 qPrintable(said()));
+    desk.editing().select({1});
+    desk.editing().removeSelected();
+    desk.action("save")->trigger();
+    QTRY_VERIFY(desk.control().review());
+    QStringList notes;
+    for (const QLabel* label : desk.control().review()->findChildren<QLabel*>()) notes << label->text();
+    QVERIFY(notes.join(QLatin1Char(' ')).contains(QLatin1String("Walls and reachability are not checked. ")));
+  }
+
   void rulesAreSwitchedOffAndTheRadiusIsSetForGood() {
     {
       Desk desk;

@@ -65,6 +65,7 @@ QString Carrying::whyNot() const {
   if (!laid_ || !laid_->reader) return tr("There is no reference map.");
   if (!session || !session->wholeMap().cells()) return tr("There is no whole map on screen.");
   if (!session->wholeMap().settled()) return tr("The map on screen is still being read.");
+  if (!session->wholeMap().isWhole()) return tr("Parts of the map on screen could not be read.");
   return whyNotBetween(*laid_->reader);
 }
 

@@ -273,7 +273,9 @@ void ExportDialog::start() {
   };
   if (const auto flaw = grids::flawOf(form())) return askAgain(sentences::wordsOf(*flaw));
   const bool whole = format() != jobs::ExportFormat::ViewPicture && !fromSubmaps() && offer_.whole;
-  const QString missing = whole ? jobs::mostlyMissingReason(*offer_.whole->cells) : QString();
+  QString missing = whole ? jobs::mostlyMissingReason(*offer_.whole->cells) : QString();
+  if (whole && offer_.broken && missing.isEmpty())
+    missing = tr("Parts of this map could not be read. They would be unknown cells.");
   if (!missing.isEmpty() && !missing_confirmed_) {
     missing_confirmed_ = true;
     return askAgain(tr("%1 Press Export again to write them anyway.").arg(missing));
@@ -483,6 +485,7 @@ void ExportController::exportMap() {
   if (std::isfinite(finest)) offer.submap_resolution_m = finest;
   if (slot.cells() && slot.cells()->complete() && slot.settled()) {
     offer.whole = jobs::WholeMapExport{slot.cells(), slot.reference()};
+    offer.broken = !slot.isWhole();
     const auto on_screen = context_.scene.wholeMap();
     offer.unsaved = on_screen && on_screen->cells != slot.cells();
   } else {

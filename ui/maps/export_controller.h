@@ -33,6 +33,7 @@ struct ExportOffer {
   QString name;                                // of the map, for the proposed file name
   std::optional<jobs::WholeMapExport> whole;   // nullopt: none is complete
   QString why_not_whole;                       // the sentence then
+  bool broken = false;                         // parts of `whole` could not be read
   std::vector<render::PlacedTexture> submaps;  // hidden ones too
   std::set<map::SubmapId> hidden;              // of these, the ones hidden by the user
   int without_picture = 0;                     // listed, but without a picture

@@ -426,7 +426,7 @@ const session::MapSlot* OverlaysController::mapToCheck() const {
   const Target* const open = openTarget();
   if (!session_ || !open) return nullptr;
   const auto is = [&](const session::MapSlot& slot) {
-    return slot.cells() && slot.cells()->complete() &&
+    return slot.isWhole() &&
            (slot.shown().key == open->map || (open->robots && slot.shown().key.kind == map::MapKind::Live));
   };
   if (is(session_->wholeMap())) return &session_->wholeMap();

@@ -158,8 +158,7 @@ void PictureController::syncMap() {
           tr("The unsaved changes to the map %1 are kept as a draft.").arg(nameOf(picture_->map())));
     closeMap();
   }
-  const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->cells()->complete() &&
-                     !slot->broken() && slot->key() == *key;
+  const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->isWhole() && slot->key() == *key;
   if (picture_ && slot->phase() == MapSlot::Phase::Failed && picture_->inDoubt())
     reportDoubt(Mark::Warning,
                 tr("It is still not known whether %1 was saved: its picture on the robot cannot "

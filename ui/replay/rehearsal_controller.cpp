@@ -248,6 +248,7 @@ void RehearsalController::read() {
   if (!session || !session->wholeMap().cells()) return fail(tr("There is no whole map on screen."));
   const session::MapSlot& whole = session->wholeMap();
   if (!whole.settled()) return fail(tr("The map on screen is still being read."));
+  if (!whole.isWhole()) return fail(tr("Parts of the map on screen could not be read."));
   wait(tr("Reading %1…").arg(called()));
   ground_ = Ground{{whole.cells(), whole.reference()}, whole.shown().fingerprint};
   if (!bag_) return readFile();

@@ -416,7 +416,8 @@ void WaypointPlacing::setSession(session::Session* session) {
 }
 
 void WaypointPlacing::syncGround() {
-  placing::PlacedMap under = mapUnder(context_.scene);
+  placing::PlacedMap under;
+  if (session_ && session_->wholeMap().isWhole()) under = mapUnder(context_.scene);
   // A fetched part does not tell where the map ends.
   under.is_part = session_ && session_->wholeMap().shown().state_of;
   warnings_->setMap(under);
