@@ -294,8 +294,8 @@ CommandResult<bool> lookBelow(RobotReading& reading, const map::MapKey& key, std
   MapBelow below = mapBelow(reading, key);
   options.map = std::move(below.map);
   if (options.map.cells) return true;
-  reading.addRemark(reading.about(Text::tr("The map cannot be loaded, so what lies on it was not checked. %1")
-                                      .arg(below.unavailable_reason)));
+  reading.lack(
+      reading.about(Text::tr("Walls and reachability were not checked. %1").arg(below.unavailable_reason)));
   return false;
 }
 

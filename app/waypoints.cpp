@@ -48,9 +48,10 @@ CommandResult<int> waypointsList(RobotCommand& command, const WaypointsArguments
   if (!list) return passOn(list);
   std::optional<DoubtfulWaypoints> doubtful;
   if (args.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
-  if (doubtful && !doubtful->untold.isEmpty()) list->robot->addRemark(doubtful->untold);
   // The list is complete; the additional data is not.
   const int exit_code = doubtful && !doubtful->looked ? int(kIncomplete) : int(kDone);
+  if (exit_code == kIncomplete) list->robot->lack(doubtful->untold);
+  if (exit_code == kDone && doubtful && !doubtful->untold.isEmpty()) list->robot->addRemark(doubtful->untold);
   if (args.json) {
     QJsonArray rows = exchange::waypointsJson(list->stored.points, list->mapId());
     for (std::size_t i = 0; doubtful && i < doubtful->of.size(); ++i) {

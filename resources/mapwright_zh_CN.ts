@@ -2501,10 +2501,6 @@
         <translation>--off %1：没有这条规则。规则有：%2。</translation>
     </message>
     <message>
-        <source>The map cannot be loaded, so what lies on it was not checked. %1</source>
-        <translation>无法加载地图，因此未检查地图上的内容。%1</translation>
-    </message>
-    <message>
         <source>--map %1: pass --robot ADDRESS, too, or a map file as --robot.</source>
         <translation>--map %1：请同时使用 --robot ADDRESS，或将地图文件作为 --robot。</translation>
     </message>
@@ -4577,6 +4573,10 @@
     <message>
         <source>--log-file needs the name of a file. Without it, --log all writes to standard error.</source>
         <translation>--log-file 需要一个文件名。不用它时，--log all 会写到标准错误。</translation>
+    </message>
+    <message>
+        <source>Walls and reachability were not checked. %1</source>
+        <translation>未检查墙和可达性。%1</translation>
     </message>
 </context>
 <context>

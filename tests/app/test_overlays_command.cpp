@@ -300,6 +300,19 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(alone.array().size(), 1);
   }
 
+  void onAMapThatBreaksOffWallsAreNotChecked() {
+    simulator::Faults faults;
+    faults.truncated_maps = true;
+    start(faults);
+    const Ended ended = run("validate --off too_few_points --report report.json");
+    QCOMPARE(ended.code, 1);
+    QVERIFY2(ended.err.startsWith(QLatin1String("Incomplete. ")) &&
+                 ended.err.contains(QLatin1String("Walls and reachability were not checked.")),
+             qPrintable(ended.err));
+    const QJsonObject report = QJsonDocument::fromJson(program_->bytes("report.json")).object();
+    QCOMPARE(report[QStringLiteral("complete")], QJsonValue(false));
+  }
+
   void versionsAreKeptShownAndBroughtBack() {
     program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
     QCOMPARE(run("set mine.geojson --base base.geojson").code, 0);
