@@ -99,6 +99,8 @@ std::optional<QString> sentenceOnUnknownWord(const CLI::App& program) {
       return withNearest(Text::tr("%1: no such subcommand of %2.").arg(shown(unknown.front()), name),
                          nearestOf(unknown.front(), known));
     }
+    if (unknown.front().find("://") != std::string::npos && command.get_option_no_throw("--robot"))
+      return Text::tr("%1 is an address: put --robot in front of it.").arg(shown(unknown.front()));
     return Text::tr("%1: one word too many for %2. Quote a name that has blanks in it.")
         .arg(shown(unknown.front()), name);
   }

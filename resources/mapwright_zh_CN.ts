@@ -4578,6 +4578,10 @@
         <source>Walls and reachability were not checked. %1</source>
         <translation>未检查墙和可达性。%1</translation>
     </message>
+    <message>
+        <source>%1 is an address: put --robot in front of it.</source>
+        <translation>%1 是地址：请在它前面加上 --robot。</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonText</name>

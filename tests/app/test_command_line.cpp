@@ -135,6 +135,8 @@ class CommandLineTest : public QObject {
         "--szie: no such option of snapshot. Did you mean --size?");
     row("maps list --robot demo: --jsn", "--jsn: no such option of maps list. Did you mean --json?");
     row("maps list --qqqqqqqqq", "--qqqqqqqqq: no such option of maps list.");
+    row("maps list http://127.0.0.1:8090",
+        "http://127.0.0.1:8090 is an address: put --robot in front of it.");
     row("maps list one two", "one: one word too many for maps list. Quote a name that has blanks in it.");
     row("--robo demo:", "--robo: no such option of mapwright. Did you mean --robot?");
     row("snapshto", "snapshto is neither a subcommand nor an existing file. Did you mean snapshot?");
