@@ -238,13 +238,14 @@ void KabamPictures::onAnswer(const WritingPtr& writing, const CallAnswer& answer
   }
   writing->doubt = answered ? resultOf("update_map_image", answer.values, subject)
                             : std::optional(failed(answer, subject, map::AskedFor::Change));
+  const bool maybe_done = !writing->doubt || writing->doubt->applied != map::Applied::No;
   // What the robot sent before says nothing about what has become of it.
-  if (!shows(writing->args->fingerprint())) of_.live_map.forget();
+  if (maybe_done && !shows(writing->args->fingerprint())) of_.live_map.forget();
   // If only the connection for large data broke off, the map still comes.
   const bool map_comes = answer.kind == CallAnswer::Kind::LinkLost && answer.sent && of_.known();
   if (!writing->doubt || !isFinal(*writing->doubt) || map_comes) return confirm(writing);
   // Once there is a connection again, the map tells what has become of it.
-  if (writing->doubt->applied != map::Applied::No) doubt(writing->change.map.id);
+  if (maybe_done) doubt(writing->change.map.id);
   end(writing, fail(*writing->doubt));
 }
 
@@ -286,6 +287,7 @@ void KabamPictures::giveUp(const WritingPtr& writing) {
 }
 
 void KabamPictures::doubt(const std::string& map_id) {
+  if (!of_.live_map.last()) of_.ask_again();
   doubted_.insert(map_id);
   settle_.start();
 }
