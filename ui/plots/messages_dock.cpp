@@ -103,7 +103,8 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
 
 MessagesDock::~MessagesDock() {
   if (table_->selectionModel()) table_->selectionModel()->disconnect(this);
-  disconnect();
+  // Only ours: what Qt keeps of it for screen readers would outlive it.
+  disconnect(this, &QDockWidget::visibilityChanged, this, nullptr);
 }
 
 QWidget* MessagesDock::buildControls() {

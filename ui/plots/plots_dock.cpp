@@ -64,7 +64,8 @@ PlotsDock::PlotsDock(PlotFeed& feed, QWidget* parent)
 }
 
 // The feed may already be gone.
-PlotsDock::~PlotsDock() { disconnect(); }
+// Only ours: what Qt keeps of it for screen readers would outlive it.
+PlotsDock::~PlotsDock() { disconnect(this, &QDockWidget::visibilityChanged, this, nullptr); }
 
 QWidget* PlotsDock::buildControls() {
   auto* const box = new QWidget(this);
