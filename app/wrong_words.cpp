@@ -73,7 +73,8 @@ QString sentenceOf(const CLI::ParseError& error) {
        [](Parts of) { return Text::tr("%1 does not go with %2").arg(of[1], of[2]); }},
       {"^Could not convert: (\\S+) = (.*)$",
        [](Parts of) { return Text::tr("%1: %2 is not a number that fits").arg(of[1], of[2]); }},
-      {"^(.+): Value (.*) not in range (\\S+) to (\\S+)$",
+      // "0 to 10", and "[0 - 10]" since CLI11 2.4.
+      {"^(.+): Value (.*) not in range \\[?(\\S+) (?:to|-) ([^\\s\\]]+)\\]?$",
        [](Parts of) {
          bool number = false;
          of[2].toDouble(&number);

@@ -65,7 +65,6 @@ class KeepingServer {
   explicit KeepingServer(QList<Then> script) : script_(std::move(script)) {
     server_.listen(QHostAddress::LocalHost);
     QObject::connect(&server_, &QTcpServer::newConnection, &server_, [this] {
-      ++connections;
       QTcpSocket* socket = server_.nextPendingConnection();
       open_ << socket;
       QObject::connect(socket, &QTcpSocket::readyRead, socket, [this, socket] { read(socket); });
@@ -86,7 +85,7 @@ class KeepingServer {
   }
 
   QList<QByteArray> methods;
-  int connections = 0;
+  int used = 0;  // connections that a request came over
 
  private:
   void read(QTcpSocket* socket) {
@@ -97,6 +96,8 @@ class KeepingServer {
       const auto body = length.match(QString::fromLatin1(text.left(end))).captured(1).toInt();
       if (text.size() < end + 4 + body) break;
       methods << text.left(text.indexOf(' '));
+      if (!socket->property("used").toBool()) ++used;
+      socket->setProperty("used", true);
       text.remove(0, end + 4 + body);
       const Then then = script_.value(methods.size() - 1, Then::Answer);
       if (then == Then::HangUp) {
@@ -177,7 +178,10 @@ class TestHttpChanges : public QObject {
     QCOMPARE(answer.kind, Kind::Unreachable);
     QVERIFY(answer.sent);
     QCOMPARE(server.methods, (QList<QByteArray>{"GET", name, name}));
-    QCOMPARE(server.connections, 3);  // each change over one that nothing was sent over before
+    QCOMPARE(server.used, 3);  // each change over one that nothing was sent over before
+    // Since Qt 6.8 one more is opened; nothing comes over it.
+    QVERIFY(send(client, HttpMethod::Get, server.url(), {}).ok());
+    QCOMPARE(server.methods, (QList<QByteArray>{"GET", name, name, "GET"}));
   }
 
   void aChangeIsNotLostOnAnIdleConnectionThatIsClosed() {

@@ -363,8 +363,8 @@ class TestWindowLayers : public QObject {
     QMenu* const removing = entry(*presets.menu(), QStringLiteral("Delete"))->menu();
     QVERIFY(removing);
     removing->popup(window.mapToGlobal(QPoint(100, 100)));
-    QTest::mouseClick(removing, Qt::LeftButton, {},
-                      removing->actionGeometry(entry(*removing, QStringLiteral("Lift"))).center());
+    removing->setActiveAction(entry(*removing, QStringLiteral("Lift")));
+    QTest::keyClick(removing, Qt::Key_Return);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QVERIFY(presets.own().empty() && !entry(*presets.menu(), QStringLiteral("Layers: Lift")));
     QVERIFY(!bench.action("layerPreset-Lift"));

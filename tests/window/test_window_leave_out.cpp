@@ -69,7 +69,8 @@ Seen entryOf(const std::function<void()>& opens, bool triggers = false) {
       seen = {true, entry->isEnabled(), entry->text(), entry->toolTip()};
       if (triggers && seen.enabled) {
         looks.stop();  // it may show a dialog
-        return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
+        menu->setActiveAction(entry);
+        return QTest::keyClick(menu, Qt::Key_Return);
       }
     }
     menu->close();

@@ -507,7 +507,8 @@ class TestWindowRegions : public QObject {
       QVERIFY(menu);
       QAction* const forget = menu->findChild<QAction*>(QStringLiteral("forgetFetched"));
       QVERIFY(forget);
-      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(forget).center());
+      menu->setActiveAction(forget);
+      QTest::keyClick(menu, Qt::Key_Return);
     });
     QContextMenuEvent asked(QContextMenuEvent::Mouse, at, list->viewport()->mapToGlobal(at));
     QApplication::sendEvent(list->viewport(), &asked);
