@@ -143,6 +143,48 @@ class GroundTest : public QObject {
     }
   }
 
+  void overlaysOfWhichAPartIsPaintedAgainAreTheSame() {
+    using map::OverlayShape;
+    const auto overlay = [](OverlayShape shape, int type, const char* id,
+                            std::vector<std::vector<Eigen::Vector2d>> parts) {
+      map::OverlayFeature made;
+      made.shape = shape;
+      made.type = type;
+      made.id = id;
+      made.parts = std::move(parts);
+      made.yaw_rad = 0.7;
+      return made;
+    };
+    map::MapInfo info;
+    info.overlays = {overlay(OverlayShape::Polygon, 1, "forbidden", {{{-1, -0.8}, {0.3, -0.6}, {0, 0.5}}}),
+                     overlay(OverlayShape::Line, 1, "dashed", {{{-1.4, 0.9}, {1.5, -1}, {1.5, 1}}}),
+                     overlay(OverlayShape::Line, 2, "upright", {{{0.5, -1}, {0.5, 1}}}),
+                     overlay(OverlayShape::Point, 9, "charger", {{{0.6, 0.3}}}),
+                     overlay(OverlayShape::Point, 0, "place", {{{-0.2, 0.1}}})};
+    robot_->say(info);
+    QVERIFY2(difference().isEmpty(), difference());
+    for (int step = 0; step < 40; ++step) {
+      const double turn = step * 0.37;
+      robot_->say(
+          map::LandmarksMessage{{{"landmark", {std::cos(turn), 0.8 * std::sin(turn)}, step % 2 == 0}}});
+      const QByteArray wrong = difference();
+      QVERIFY2(wrong.isEmpty(), QByteArray::number(step) + ": " + wrong);
+    }
+  }
+
+  /// A robot sends its map and the list of its submaps all the time.
+  void whatIsTheSameAsBeforeIsNotPaintedAgain() {
+    map::MapInfo info;
+    info.overlays.resize(1);
+    info.overlays[0].parts = {{{0.2, 0.1}}};
+    robot_->say(info);
+    QVERIFY(!shown().isNull());
+    PaintCounter paints(view_->viewport());
+    Q_EMIT session_->listChanged();
+    shown();
+    QCOMPARE(paints.count, 0);
+  }
+
   void whatIsChosenForTheLayersIsSeenAtOnce() {
     robot_->say(map::TrackedPose{{0, 0, 0}});
     robot_->say(map::PathMessage{{{-1, -0.5}, {1, 0.5}}});

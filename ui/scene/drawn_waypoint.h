@@ -26,6 +26,7 @@ struct DrawnWaypoint {
   QString warnings = {};  // a sentence a line; with any, an exclamation mark stands next to it
   std::optional<Eigen::Vector2d> from_m = {};  // a line leads here from there: the stored position, or mine
   QString type = {}, tags = {};  // plain text; shared when copied, unlike those of map::Waypoint
+  bool operator==(const DrawnWaypoint&) const = default;
 };
 
 /// As it is stored.
@@ -35,6 +36,7 @@ DrawnWaypoint drawnFrom(const map::Waypoint& point);
 struct DrawnWaypoints {
   map::MapKey map;
   std::vector<DrawnWaypoint> points;
+  bool operator==(const DrawnWaypoints&) const = default;
 };
 
 /// The shape of a mark, `radius` pixels around `at`.

@@ -15,6 +15,16 @@ constexpr double kReturnPx = 4;            // more room than that for one that h
 constexpr double kLeaderStepPx = 5;        // a leader line is tested at points as far apart
 constexpr std::size_t kMostLabels = 1200;  // more cannot be read on any screen
 
+/// QRectF::intersects() of areas with positive sizes; a frame asks this a million times.
+struct Edges {
+  double left, right, top, bottom;
+  explicit Edges(const QRectF& rect)
+      : left(rect.left()), right(rect.right()), top(rect.top()), bottom(rect.bottom()) {}
+  bool intersects(const Edges& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
 /// Areas that are taken, by the squares of a coarse grid.
 class Taken {
  public:
@@ -24,15 +34,18 @@ class Taken {
   }
 
   bool free(const QRectF& rect) const {
+    const Edges edges(rect);
     return eachCell(rect, [&](std::size_t cell) {
       const auto& here = cells_[cell];
       return std::none_of(here.begin(), here.end(),
-                          [&](std::uint32_t index) { return rects_[index].intersects(rect); });
+                          [&](std::uint32_t index) { return rects_[index].intersects(edges); });
     });
   }
-  void add(const QRectF& rect) {
+  void add(const QRectF& area) {
+    const QRectF rect = area.normalized();
+    if (rect.isEmpty()) return;
     const auto index = std::uint32_t(rects_.size());
-    rects_.push_back(rect);
+    rects_.emplace_back(rect);
     eachCell(rect, [&](std::size_t cell) {
       cells_[cell].push_back(index);
       return true;
@@ -66,7 +79,7 @@ class Taken {
   QPointF origin_;
   int columns_, rows_;
   std::vector<std::vector<std::uint32_t>> cells_;
-  std::vector<QRectF> rects_;
+  std::vector<Edges> rects_;
 };
 
 /// Where labels go first: to the right, as one reads on; then around. As multiples of the distance aside and

@@ -74,6 +74,7 @@ struct MapFeatures {
   std::vector<DrawnWaypoint> waypoints;
   std::vector<map::BrokenOverlay> broken_overlays;
   std::optional<MapTrouble> trouble;
+  bool operator==(const MapFeatures&) const = default;
 };
 
 /// Everything that layers paint with. Owned by the scene, outlives its items.

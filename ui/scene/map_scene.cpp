@@ -417,9 +417,11 @@ void MapScene::onFrame() {
 }
 
 void MapScene::syncFeatures() {
+  // Mostly nothing is different: a robot sends its map, or the list of its submaps, every few moments.
+  const auto before = std::exchange(items_->context.features, {});
   items_->setFeatures(session_);
   for (LayerItem* item : items_->all) {
-    if (item->of()) item->update();
+    if (const auto of = item->of(); of && before[std::size_t(*of)] != items_->context.of(*of)) item->update();
   }
 }
 
@@ -640,7 +642,7 @@ bool MapScene::settled() const {
 void MapScene::setStale(bool stale) { items_->stale->setVisible(stale); }
 
 void MapScene::setWaypoints(std::optional<DrawnWaypoints> waypoints) {
-  if (!waypoints && !items_->edited) return;
+  if (waypoints == items_->edited) return;
   items_->edited = std::move(waypoints);
   items_->updateWaypoints(session_);
   items_->update(Layer::Waypoints);

@@ -3,6 +3,7 @@
 
 #include <QHashFunctions>
 #include <QPainterPath>
+#include <QStyleOptionGraphicsItem>
 
 #include "map/live_topics.h"
 #include "sentences/overlay_name.h"
@@ -49,19 +50,30 @@ QColor pointColor(const MapTheme& theme, int type) {
   }
 }
 
+constexpr double kFeatureReachPx = 24;  // nothing of a feature is farther from its outline
+
+/// Also an area without width or height, of an upright or level line, and one that is no number.
+bool meets(const QRectF& area, const QRectF& wanted) {
+  return !(area.left() > wanted.right() || area.right() < wanted.left() || area.top() > wanted.bottom() ||
+           area.bottom() < wanted.top());
+}
+
 /// Walls, regions and places, read-only.
 class OverlaysLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
     using map::OverlayShape;
+    const QRectF wanted =
+        option->exposedRect.adjusted(-kFeatureReachPx, -kFeatureReachPx, kFeatureReachPx, kFeatureReachPx);
     painter->setRenderHint(QPainter::Antialiasing);
     for (const OverlayShape shape : {OverlayShape::Polygon, OverlayShape::Line, OverlayShape::Point}) {
       for (const map::OverlayFeature& feature : context_.of(*of()).overlays) {
         if (feature.shape != shape) continue;
-        if (shape == OverlayShape::Polygon) paintRegion(*painter, feature);
-        if (shape == OverlayShape::Line) paintLine(*painter, feature);
-        if (shape == OverlayShape::Point && !feature.parts.empty() && !feature.parts[0].empty()) {
+        if (shape == OverlayShape::Polygon) paintRegion(*painter, feature, wanted);
+        if (shape == OverlayShape::Line) paintLine(*painter, feature, wanted);
+        if (shape == OverlayShape::Point && !feature.parts.empty() && !feature.parts[0].empty() &&
+            wanted.contains(toPoint(context_.view.pixelFromWorld(feature.parts[0][0])))) {
           drawPlace(*painter, context_, feature.parts[0][0], feature.yaw_rad,
                     overlayColor(context_.theme, feature));
         }
@@ -104,12 +116,12 @@ class OverlaysLayer : public LayerItem {
     return feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
   }
 
-  void paintRegion(QPainter& painter, const map::OverlayFeature& feature) const {
+  void paintRegion(QPainter& painter, const map::OverlayFeature& feature, const QRectF& wanted) const {
     QPainterPath path;
     for (const auto& ring : feature.parts) path.addPolygon(toPolygon(context_.view, ring));
     path.closeSubpath();
     const QRectF bounds = path.boundingRect();
-    if (!inView(context_.view, bounds)) return;
+    if (!inView(context_.view, bounds) || !meets(bounds, wanted)) return;
     path.setFillRule(Qt::OddEvenFill);
     const QColor color = overlayColor(context_.theme, feature);
     painter.setPen(QPen(color, 1.5));
@@ -122,10 +134,12 @@ class OverlaysLayer : public LayerItem {
     }
   }
 
-  void paintLine(QPainter& painter, const map::OverlayFeature& feature) const {
+  void paintLine(QPainter& painter, const map::OverlayFeature& feature, const QRectF& wanted) const {
     const bool wall = feature.type == 2;
     const QColor color = overlayColor(context_.theme, feature);
     for (const auto& part : feature.parts) {
+      // All of it or nothing: the dashes of a piece would begin elsewhere.
+      if (!meets(toPolygon(context_.view, part).boundingRect(), wanted)) continue;
       for (const QPolygonF& line : visibleLines(context_.view, part, 6)) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(

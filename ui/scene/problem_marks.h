@@ -42,6 +42,7 @@ struct MapTrouble {
   std::array<Eigen::Vector2d, 4> corners;  // all the same where its size is not known
   bool nothing_shown = true;               // nothing of it could be read
   QString title, reason;
+  bool operator==(const MapTrouble&) const = default;
 };
 std::array<Eigen::Vector2d, 4> gridCorners(const map::GridReference& grid);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include <QFontMetricsF>
 #include <QGraphicsScene>
@@ -327,20 +328,22 @@ void SceneItems::applyVisibility() {
   const bool second = has_compared;
   const bool swiping = compare == CompareMode::Swipe;
   const bool difference = compare == CompareMode::Difference && second;
+  // Each is set once, at the end: one that is hidden and shown again is painted again.
+  std::map<QGraphicsItem*, bool> visible;
   for (const auto& [layer, of_layer] : by_layer) {
-    for (LayerItem* item : of_layer) item->setVisible(shown.at(layer));
+    for (LayerItem* item : of_layer) visible[item] = shown.at(layer);
   }
   const bool submaps_left = halves().left == HalfContent::Submaps;
   if (compare != CompareMode::Off) {
     // Each half is one map, regardless of what was on screen before.
-    whole.setVisible(!difference);
-    submaps.setVisible(swiping && submaps_left);
+    visible[&whole] = !difference;
+    visible[&submaps] = swiping && submaps_left;
     // Regions are on neither side of a comparison.
-    for (LayerItem* item : itemsOf(Layer::Regions)) item->setVisible(false);
-    if (raster.referenceDifferences()) raster.reference()->setVisible(false);
+    for (LayerItem* item : itemsOf(Layer::Regions)) visible[item] = false;
+    if (raster.referenceDifferences()) visible[raster.reference()] = false;
   }
-  raster.compared()->setVisible(swiping && second);
-  raster.difference()->setVisible(difference);
+  visible[raster.compared()] = swiping && second;
+  visible[raster.difference()] = difference;
   const auto part = [&](ScreenPart which) { return swiping ? rectOf(which) : std::nullopt; };
   submaps.setPart(part(ScreenPart::Left));
   const ScreenPart of_the_whole = submaps_left ? ScreenPart::Right : ScreenPart::Left;
@@ -350,22 +353,23 @@ void SceneItems::applyVisibility() {
     if (item->of() == FeaturesOf::WholeMap) item->setPart(part(of_the_whole));
     if (item->of() != FeaturesOf::ComparedMap) continue;
     item->setPart(part(ScreenPart::Right));
-    item->setVisible(item->isVisible() && second && swiping);
+    visible[item] = (visible.contains(item) ? visible[item] : item->isVisible()) && second && swiping;
   }
   // Data of the robot is shown where the robot is.
   for (LayerItem* item : robots_own) item->setPart(rectOf(place.drawn));
   if (place.drawn == ScreenPart::None) {
-    for (LayerItem* item : robots_own) item->setVisible(false);
-    submaps.setVisible(false);
+    for (LayerItem* item : robots_own) visible[item] = false;
+    visible[&submaps] = false;
   }
   context.overlays_shown = shown.at(Layer::Overlays);
   first(Layer::Problems).setPart(submaps.part());
-  first(Layer::Problems).setVisible(shown.at(Layer::Problems) && submaps.isVisible());
+  visible[&first(Layer::Problems)] = shown.at(Layer::Problems) && visible[&submaps];
   raster.overview()->setPart(submaps.part());
-  raster.overview()->setVisible(submaps.isVisible());
+  visible[raster.overview()] = visible[&submaps];
   raster.overview()->setOpacity(submaps.opacity());
-  highlight->setVisible(place.drawn != ScreenPart::None);
-  swipe->setVisible(swiping);
+  visible[highlight] = place.drawn != ScreenPart::None;
+  visible[swipe] = swiping;
+  for (const auto& [item, is_visible] : visible) item->setVisible(is_visible);
   swipe->update();
   for (LayerItem* item : all) item->setActive(item->isVisible());
   layGround();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_set>
 
+#include <QStyleOptionGraphicsItem>
+
 #include "robot/robot.h"
 #include "sentences/absence_sentence.h"
 #include "ui/scene/layer_objects.h"
@@ -14,6 +16,7 @@ namespace mapwright::ui::scene {
 namespace {
 
 constexpr double kRadiusPx = 5;
+constexpr double kMarkReachPx = 40;  // nothing of a mark is farther from its position
 constexpr std::size_t kCrowd = 500;  // with this many, those that would hide each other are drawn once
 constexpr double kCrowdPx = 4;
 constexpr std::size_t kWaypointMarks = std::size_t(WaypointMark::Theirs) + 1;
@@ -79,12 +82,15 @@ bool isSpecial(const DrawnWaypoint& point) { return point.selected || point.mark
 class WaypointsLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
     const std::vector<DrawnWaypoint>& points = context_.of(*of()).waypoints;
     const geometry::ViewTransform& view = context_.view;
     const MapTheme& theme = context_.theme;
     const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
     const bool crowd = points.size() > kCrowd && view.scale_m_per_px > kNameFromMPerPx;
+    const QRectF wanted =
+        option->exposedRect.adjusted(-kMarkReachPx, -kMarkReachPx, kMarkReachPx, kMarkReachPx)
+            .intersected(seen);
     // If many are dragged, or were just moved, headings and lines to their origins are omitted.
     std::size_t special_seen = 0;
     for (const DrawnWaypoint& point : points)
@@ -102,7 +108,7 @@ class WaypointsLayer : public LayerItem {
         if (isSpecial(point) != special) continue;
         if ((!special || as_sprites) && point.warnings.isEmpty() == warned) continue;
         const QPointF at = toPoint(view.pixelFromWorld(point.position_m));
-        if (!seen.contains(at)) continue;
+        if (!(point.from_m ? seen : wanted).contains(at)) continue;
         if (as_sprites) {
           const auto cell = [](double px) {
             return std::uint64_t(std::uint32_t(std::int32_t(px / kCrowdPx)));
