@@ -239,6 +239,7 @@ class TestWebSocketLink : public QObject {
     options.now = clock.reader();
     options.wall = [&] { return began.addMSecs((clock.time - milliseconds(1'000'000)).count()); };
     options.quiet_after = milliseconds(3'000);
+    options.ping_every = milliseconds(60'000);  // it asks because nothing comes
     options.silent_after = milliseconds(15'000);
     options.backoff_first = options.backoff_limit = milliseconds(1'000);
     WebSocketLink link({server.url()}, {}, options);
@@ -257,6 +258,7 @@ class TestWebSocketLink : public QObject {
       QTRY_VERIFY(clock.looks > looks + 4);
     };
     hear();
+    hear();       // what nobody asked for: it talks
     pass(2'000);  // asked by now
     QVERIFY(!link.silentSince());
     pass(1'900);
