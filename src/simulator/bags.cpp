@@ -391,8 +391,7 @@ HttpAnswer record(const Robot& robot, const Request& request) {
 /// A route of a file, whose name the path has.
 template <BagFolder kFolder, HttpAnswer (*kAnswer)(const Robot&, BagFolder, const Bag&, const Request&)>
 HttpAnswer ofBag(const Robot& robot, const Request& request) {
-  const std::optional<std::string> name = percentDecoded(request.name);
-  const std::optional<Bag> bag = name ? robot.bags.find(kFolder, *name) : std::nullopt;
+  const std::optional<Bag> bag = robot.bags.find(kFolder, percentDecoded(request.name));
   return bag ? kAnswer(robot, kFolder, *bag, request) : noSuchFile();
 }
 
@@ -416,8 +415,7 @@ HttpAnswer downloadBag(const Robot& robot, BagFolder, const Bag& bag, const Requ
 
 template <BagFolder kFolder>
 HttpAnswer player(const Robot& robot, const Request& request) {
-  const std::optional<std::string> name = percentDecoded(request.name);
-  const std::optional<Bag> bag = name ? robot.bags.find(kFolder, *name) : std::nullopt;
+  const std::optional<Bag> bag = robot.bags.find(kFolder, percentDecoded(request.name));
   if (!bag) return playerError("The bag file was not found.");
   if (bag->condition == BagCondition::Corrupt)
     return playerError("The bag file is corrupted: its index is missing.");

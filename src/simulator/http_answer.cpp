@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QByteArray>
+
 namespace mapwright::simulator {
 namespace {
 
@@ -27,10 +29,7 @@ std::string_view parameterOf(std::string_view field, std::string_view key) {
 }  // namespace
 
 HttpAnswer jsonAnswer(int status, std::string body) {
-  HttpAnswer answer;
-  answer.status = status;
-  answer.body = std::make_shared<const std::string>(std::move(body));
-  return answer;
+  return {.status = status, .body = std::make_shared<const std::string>(std::move(body))};
 }
 
 HttpAnswer valueAnswer(int status, const Value& value) { return jsonAnswer(status, toJson(value)); }
@@ -39,12 +38,7 @@ HttpAnswer errorAnswer(int status, std::string_view sentence) {
   return valueAnswer(status, Value::Object{{"detail", sentence}});
 }
 
-HttpAnswer emptyAnswer(int status) {
-  HttpAnswer answer;
-  answer.status = status;
-  answer.content_type.clear();
-  return answer;
-}
+HttpAnswer emptyAnswer(int status) { return {.status = status, .content_type = {}}; }
 
 HttpAnswer bytesFrom(const HttpQuestion& question, std::string bytes, std::string_view tag) {
   HttpAnswer answer;
@@ -79,36 +73,12 @@ bool isWordCharacter(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
 }
 
-std::optional<std::string> percentDecoded(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      out += text[i];
-      continue;
-    }
-    unsigned char byte = 0;
-    const std::string_view digits = text.substr(i + 1, 2);
-    const char* const end = digits.data() + digits.size();
-    if (digits.size() < 2 || std::from_chars(digits.data(), end, byte, 16).ptr != end) return std::nullopt;
-    out += static_cast<char>(byte);
-    i += 2;
-  }
-  return out;
+std::string percentDecoded(std::string_view text) {
+  return QByteArray::fromPercentEncoding({text.data(), static_cast<qsizetype>(text.size())}).toStdString();
 }
 
-std::string percentEncoded(std::string_view text) {
-  static constexpr char kDigits[] = "0123456789ABCDEF";
-  std::string out;
-  for (const char c : text) {
-    if (isWordCharacter(c) || c == '.' || c == '~') {
-      out += c;
-      continue;
-    }
-    out += '%';
-    out += kDigits[static_cast<unsigned char>(c) >> 4];
-    out += kDigits[static_cast<unsigned char>(c) & 15];
-  }
-  return out;
+std::string percentEncoded(const std::string& text) {
+  return QByteArray::fromStdString(text).toPercentEncoding().toStdString();
 }
 
 std::string_view pathOf(std::string_view target) { return target.substr(0, target.find('?')); }

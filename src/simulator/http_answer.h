@@ -40,8 +40,8 @@ struct HttpQuestion {
 struct HttpAnswer {
   int status = 200;
   std::string content_type = "application/json";
-  std::vector<std::pair<std::string, std::string>> headers;
-  std::shared_ptr<const std::string> body;
+  std::vector<std::pair<std::string, std::string>> headers = {};
+  std::shared_ptr<const std::string> body = {};
   int delay_ms = 0;
   bool drop = false;      // close without an answer
   bool truncate = false;  // half the body, then close
@@ -65,10 +65,10 @@ std::string_view pathOf(std::string_view target);
 std::string_view queryValue(std::string_view target, std::string_view key);
 /// A letter, a digit, - or _.
 bool isWordCharacter(char c);
-/// Decodes %XX; nullopt if it is invalid.
-std::optional<std::string> percentDecoded(std::string_view text);
+/// Decodes %XX.
+std::string percentDecoded(std::string_view text);
 /// Encodes everything but letters, digits and -._~ as %XX.
-std::string percentEncoded(std::string_view text);
+std::string percentEncoded(const std::string& text);
 /// Weak comparison of an If-None-Match list with our opaque tag (with its quotes, if it has any), as required
 /// by HTTP.
 bool matchesTag(std::string_view if_none_match, std::string_view tag);

@@ -8,6 +8,7 @@
 #include "cartographer/state.pb.h"
 #include "simulator/encoding.h"
 #include "simulator/noise.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -26,8 +27,7 @@ struct Piece {
 std::string recordOf(const google::protobuf::Message& message) {
   const std::string packed = gzip(message.SerializeAsString());
   std::string record;
-  for (int byte = 0; byte < 8; ++byte)
-    record += static_cast<char>(static_cast<std::uint64_t>(packed.size()) >> (8 * byte));
+  appendNumber(record, std::uint64_t{packed.size()});
   return record + packed;
 }
 

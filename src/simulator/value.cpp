@@ -4,35 +4,13 @@
 #include <charconv>
 #include <cmath>
 
+#include <QByteArray>
+#include <QCborStreamWriter>
+#include <QString>
 #include <simdjson.h>
 
 namespace mapwright::simulator {
 namespace {
-
-/// The code point that begins at `at`, which goes on to the next one. The text is UTF-8.
-char32_t nextCodePoint(std::string_view text, std::size_t& at) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : static_cast<unsigned char>(0x80);
-  };
-  const char32_t first = byte(at);
-  const std::size_t more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : 0;
-  char32_t code = more == 3 ? first & 0x07 : more == 2 ? first & 0x0F : more == 1 ? first & 0x1F : first;
-  for (std::size_t i = 1; i <= more; ++i) code = code << 6 | (byte(at + i) & 0x3FU);
-  at += 1 + more;
-  return code;
-}
-
-void appendUnit(std::string& out, char32_t unit) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  out += "\\u";
-  for (const int shift : {12, 8, 4, 0}) out += kDigits[(unit >> shift) & 15];
-}
-
-void appendWhole(std::string& out, std::int64_t number) {
-  std::array<char, 24> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  out.append(buffer.data(), end);
-}
 
 class JsonWriter {
  public:
@@ -49,7 +27,7 @@ class JsonWriter {
  private:
   void put(std::monostate) { out_ += "null"; }
   void put(bool flag) { out_ += flag ? "true" : "false"; }
-  void put(std::int64_t number) { appendWhole(out_, number); }
+  void put(std::int64_t number) { out_ += std::to_string(number); }
   void put(double number) {
     const std::size_t from = out_.size();
     appendJsonNumber(out_, number);
@@ -82,7 +60,7 @@ class JsonWriter {
       if constexpr (std::is_same_v<T, Value>) {
         write(item);
       } else if constexpr (std::is_integral_v<T>) {
-        appendWhole(out_, item);
+        out_ += std::to_string(item);
       } else {
         put(static_cast<double>(item));
       }
@@ -126,69 +104,64 @@ class CborWriter {
     std::visit([this](const auto& data) { put(data); }, value.data());
   }
 
-  std::string out;
+  QByteArray bytes;
   bool lost = false;
 
  private:
-  enum Major : unsigned { kUnsigned, kNegative, kByteString, kText, kList, kMap, kTag };
-  static constexpr std::uint64_t kInt8Tag = 72, kFloat32Tag = 85, kFloat64Tag = 86;
+  static constexpr QCborTag kInt8Tag{72}, kFloat32Tag{85}, kFloat64Tag{86};
 
-  void head(Major major, std::uint64_t argument) {
-    const auto with = [&](unsigned low) { out += static_cast<char>(major << 5 | low); };
-    if (argument < 24) {
-      with(static_cast<unsigned>(argument));
-    } else if (argument <= 0xFF) {
-      with(24);
-      appendNumber(out, static_cast<std::uint8_t>(argument), true);
-    } else if (argument <= 0xFFFF) {
-      with(25);
-      appendNumber(out, static_cast<std::uint16_t>(argument), true);
-    } else if (argument <= 0xFFFF'FFFFUL) {
-      with(26);
-      appendNumber(out, static_cast<std::uint32_t>(argument), true);
-    } else {
-      with(27);
-      appendNumber(out, argument, true);
-    }
+  void put(std::monostate) { out_.appendNull(); }
+  void put(const Value::Json&) { out_.appendNull(); }
+  void put(bool flag) { out_.append(flag); }
+  void put(std::int64_t number) { out_.append(qint64{number}); }
+  void put(double number) { out_.append(number); }
+  void put(const std::string& text) {
+    out_.appendTextString(text.data(), static_cast<qsizetype>(text.size()));
   }
-  void bytes(Major major, std::string_view bytes) {
-    head(major, bytes.size());
-    out += bytes;
-  }
-
-  void put(std::monostate) { out += '\xF6'; }
-  void put(bool flag) { out += flag ? '\xF5' : '\xF4'; }
-  void put(std::int64_t number) {
-    head(number >= 0 ? kUnsigned : kNegative,
-         static_cast<std::uint64_t>(number >= 0 ? number : -(number + 1)));
-  }
-  void put(double number) {
-    out += '\xFB';
-    appendNumber(out, number, true);
-  }
-  void put(const std::string& text) { bytes(kText, text); }
+  void put(const Value::Bytes& bytes) { putBytes(bytes.data.data(), bytes.data.size()); }
   void put(const Value::List& list) {
     lost = lost || (!list.empty() && list.front().as<std::string>() != nullptr);
-    head(kList, list.size());
+    out_.startArray(list.size());
     for (const Value& item : list) write(item);
+    out_.endArray();
   }
   void put(const Value::Object& members) {
-    head(kMap, members.size());
+    out_.startMap(members.size());
     for (const auto& [name, value] : members) {
-      bytes(kText, name);
+      put(name);
       write(value);
     }
+    out_.endMap();
   }
-  void put(const Value::Json&) { put(std::monostate()); }
-  void put(const Value::Bytes& data) { bytes(kByteString, data.data); }
   template <typename T>
   void put(const std::vector<T>& numbers) {
-    head(kTag, std::is_same_v<T, std::int8_t> ? kInt8Tag
-               : std::is_same_v<T, float>     ? kFloat32Tag
-                                              : kFloat64Tag);
-    bytes(kByteString, {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+    out_.append(std::is_same_v<T, std::int8_t> ? kInt8Tag
+                : std::is_same_v<T, float>     ? kFloat32Tag
+                                               : kFloat64Tag);
+    putBytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
   }
+  void putBytes(const char* data, std::size_t size) {
+    out_.appendByteString(data, static_cast<qsizetype>(size));
+  }
+
+  QCborStreamWriter out_{&bytes};
 };
+
+QByteArray viewed(std::string_view bytes) {
+  return QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size()));
+}
+
+/// null if it is not finite.
+template <typename... Format>
+void appendFinite(std::string& out, double number, Format... format) {
+  std::array<char, 400> buffer;
+  if (std::isfinite(number)) {
+    out.append(buffer.data(),
+               std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, format...).ptr);
+  } else {
+    out += "null";
+  }
+}
 
 void appendPoint(std::string& out, const Eigen::Vector2d& point) {
   out += '[';
@@ -202,17 +175,7 @@ void appendPoint(std::string& out, const Eigen::Vector2d& point) {
 
 // Not in the class: each message is made of dozens of values, and each would be made and unmade in its place.
 Value::Value() = default;
-Value::Value(double number) : data_(number) {}
-Value::Value(std::string text) : data_(std::move(text)) {}
 Value::Value(std::string_view text) : data_(std::string(text)) {}
-Value::Value(const char* text) : data_(std::string(text)) {}
-Value::Value(List list) : data_(std::move(list)) {}
-Value::Value(Object members) : data_(std::move(members)) {}
-Value::Value(Bytes bytes) : data_(std::move(bytes)) {}
-Value::Value(Json json) : data_(std::move(json)) {}
-Value::Value(Int8s numbers) : data_(std::move(numbers)) {}
-Value::Value(Float32s numbers) : data_(std::move(numbers)) {}
-Value::Value(Float64s numbers) : data_(std::move(numbers)) {}
 Value::Value(const Value& other) = default;
 Value::Value(Value&& other) noexcept = default;
 Value& Value::operator=(const Value& other) = default;
@@ -299,47 +262,33 @@ std::vector<Eigen::Vector2d> cornersOf(const geometry::Pose2& pose, double lengt
 
 void appendJsonText(std::string& out, std::string_view text, RosWriter writer) {
   const bool is_plain = writer == RosWriter::Plain;
-  out += '"';
-  for (std::size_t at = 0; at < text.size();) {
-    const char32_t code = is_plain ? static_cast<unsigned char>(text[at++]) : nextCodePoint(text, at);
-    if (code == '"' || code == '\\' || (code == '/' && writer == RosWriter::Escaped)) {
+  const auto append = [&](char16_t unit) {
+    if (unit == '"' || unit == '\\' || (unit == '/' && writer == RosWriter::Escaped)) {
       out += '\\';
-      out += static_cast<char>(code);
-    } else if (code == '\n' && !is_plain) {
+      out += static_cast<char>(unit);
+    } else if (unit == '\n' && !is_plain) {
       out += "\\n";
-    } else if (code >= 0x20 && (is_plain || code < 0x7F)) {
-      out += static_cast<char>(code);
-    } else if (code < 0x10000) {
-      appendUnit(out, code);
+    } else if (unit >= 0x20 && (is_plain || unit < 0x7F)) {
+      out += static_cast<char>(unit);
     } else {
-      appendUnit(out, 0xD800 + ((code - 0x10000) >> 10));
-      appendUnit(out, 0xDC00 + ((code - 0x10000) & 0x3FF));
+      static constexpr char kDigits[] = "0123456789abcdef";
+      out += "\\u";
+      for (const int shift : {12, 8, 4, 0}) out += kDigits[(unit >> shift) & 15];
     }
+  };
+  out += '"';
+  if (is_plain) {
+    for (const char byte : text) append(static_cast<unsigned char>(byte));
+  } else {
+    for (const QChar unit : QString::fromUtf8(viewed(text))) append(unit.unicode());
   }
   out += '"';
 }
 
-void appendJsonNumber(std::string& out, double number) {
-  if (!std::isfinite(number)) {
-    out += "null";
-    return;
-  }
-  std::array<char, 64> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  out.append(buffer.data(), result.ptr);
-}
+void appendJsonNumber(std::string& out, double number) { appendFinite(out, number); }
 
 void appendJsonFixed(std::string& out, double number, int digits) {
-  std::array<char, 400> buffer;
-  const auto result = std::isfinite(number)
-                          ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                                          std::chars_format::fixed, digits)
-                          : std::to_chars_result{buffer.data(), std::errc::invalid_argument};
-  if (result.ec != std::errc()) {
-    out += "null";
-    return;
-  }
-  out.append(buffer.data(), result.ptr);
+  appendFinite(out, number, std::chars_format::fixed, digits);
 }
 
 std::string toJson(const Value& value, RosWriter writer) {
@@ -358,45 +307,15 @@ std::optional<Value> fromJson(std::string_view text) {
 std::optional<std::string> toCbor(const Value& value) {
   CborWriter writer;
   writer.write(value);
-  return writer.lost ? std::nullopt : std::optional(std::move(writer.out));
+  return writer.lost ? std::nullopt : std::optional(writer.bytes.toStdString());
 }
 
-std::string base64(std::string_view bytes) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += i + k <= bytes.size() ? kDigits[(group >> (18 - 6 * k)) & 63] : '=';
-  }
-  return out;
-}
+std::string base64(std::string_view bytes) { return viewed(bytes).toBase64().toStdString(); }
 
 std::optional<std::string> fromBase64(std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  if (text.size() % 4 == 1) return std::nullopt;
-  std::string bytes;
-  bytes.reserve(text.size() * 3 / 4);
-  unsigned group = 0;
-  int bits = 0;
-  for (const char c : text) {
-    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : -1;
-    if (digit < 0) return std::nullopt;
-    group = group << 6 | static_cast<unsigned>(digit);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>((group >> bits) & 0xFF);
-  }
-  return bytes;
+  while (text.ends_with('=')) text.remove_suffix(1);
+  const auto read = QByteArray::fromBase64Encoding(viewed(text), QByteArray::AbortOnBase64DecodingErrors);
+  return read && text.size() % 4 != 1 ? std::optional(read.decoded.toStdString()) : std::nullopt;
 }
 
 }  // namespace mapwright::simulator

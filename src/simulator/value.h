@@ -3,11 +3,13 @@
 
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,25 +40,12 @@ class Value {
                             Int8s, Float32s, Float64s, Json>;
 
   Value();  // null
+  template <std::integral Number>
+  Value(Number number)
+      : data_(static_cast<std::conditional_t<std::is_same_v<Number, bool>, bool, std::int64_t>>(number)) {}
   template <typename T>
-  requires std::is_integral_v<T> Value(T number) {
-    if constexpr (std::is_same_v<T, bool>) {
-      data_ = number;
-    } else {
-      data_ = static_cast<std::int64_t>(number);
-    }
-  }
-  Value(double number);
-  Value(std::string text);
+  requires(!std::integral<T> && std::constructible_from<Data, T>) Value(T data) : data_(std::move(data)) {}
   Value(std::string_view text);
-  Value(const char* text);
-  Value(List list);
-  Value(Object members);
-  Value(Bytes bytes);
-  Value(Json json);
-  Value(Int8s numbers);
-  Value(Float32s numbers);
-  Value(Float64s numbers);
   Value(const Value& other);
   Value(Value&& other) noexcept;
   Value& operator=(const Value& other);
