@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -12,7 +11,6 @@ namespace mapwright::simulator {
 namespace {
 
 constexpr std::string_view kPrefix = "/rpc/aimdk.protocol.";
-constexpr double kDegreesOfTurn = 180 / std::numbers::pi;
 constexpr int kNavigationPoints = 9;
 constexpr int kMisplacedPoint = 4;  // whose pixel_pose does not fit its pose
 constexpr double kMisplacedPixels = 6;
@@ -54,13 +52,6 @@ PixelFrame frameOf(const MapPicture& picture) {
   return frame;
 }
 
-PictureSpec specOf(const AimdkMap& map) {
-  PictureSpec spec;
-  spec.trajectory = map.trajectory;
-  spec.resolution_m = map.resolution_m;
-  return spec;
-}
-
 Value error(int code, std::string_view message) {
   return Value::Object{{"error", Value::Object{{"code", code}, {"message", message}}}};
 }
@@ -92,7 +83,7 @@ struct AimdkState {
   }
   /// Null if there is no such map.
   MapPicturePtr picture(const AimdkMap* map) {
-    return map == nullptr ? nullptr : library.pictures().picture(specOf(*map));
+    return map == nullptr ? nullptr : library.pictures().picture({map->trajectory, map->resolution_m});
   }
   /// Of a map that has a picture. As they are at first: along the route.
   std::vector<AimdkPoint>& pointsOf(const AimdkMap& map, const PixelFrame& frame) {
@@ -112,7 +103,7 @@ struct AimdkState {
       const double off = i == kMisplacedPoint ? kMisplacedPixels : 0;
       point.u = std::round(frame.origin_u + point.x_m * frame.per_metre + off);
       point.v = std::round(frame.origin_v - point.y_m * frame.per_metre);
-      point.angle_deg = -std::round(at.yaw_rad * kDegreesOfTurn * 10) / 10;
+      point.angle_deg = -std::round(geometry::degreesFromRadians(at.yaw_rad) * 10) / 10;
       entry->second.push_back(std::move(point));
     }
     return entry->second;

@@ -17,11 +17,9 @@ constexpr double kFinestM = 0.005, kCoarsestM = 10;
 constexpr double kFarthestM = 1e5;
 
 HttpAnswer protobufAnswer(std::shared_ptr<const std::string> body) {
-  HttpAnswer answer;
-  answer.content_type = "application/x-protobuf";
-  answer.body = std::move(body);
-  answer.headers = {{"Cache-Control", "no-cache"}};
-  return answer;
+  return {.content_type = "application/x-protobuf",
+          .headers = {{"Cache-Control", "no-cache"}},
+          .body = std::move(body)};
 }
 
 HttpAnswer protobufAnswer(std::string body) {
@@ -103,8 +101,7 @@ HttpAnswer mapImage(const Robot& robot, const Request& request) {
     const std::optional<int> number = numberFrom<int>(id);
     if (!number) return errorAnswer(400, "Invalid query parameters.");
     if (*number >= 0 && *number != spec.trajectory) {
-      spec = PictureSpec();
-      spec.trajectory = *number;
+      spec = {*number};
     }
   }
   spec.resolution_m = *resolution;

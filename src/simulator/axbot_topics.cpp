@@ -19,7 +19,6 @@ struct Live {
 
 namespace {
 
-constexpr double kActionM = 40;  // one move action after the other, each so long
 constexpr double kPathStepM = 0.25, kLocalPathM = 3, kTrailM = 60, kOwnTrailStepM = 0.5;
 constexpr double kArrivedM = 0.8;
 constexpr double kOthersGainMPerS = 0.25;  // how much faster than this robot the others drive
@@ -59,9 +58,6 @@ Vitals vitalsOf(const RobotState& state) {
   return vitals;
 }
 
-/// Metres to the current action's target.
-double remainingOf(double driven_m) { return kActionM - phaseOf(driven_m, kActionM); }
-
 std::vector<Eigen::Vector2d> wayOf(const RobotState& state, double from_m, double to_m, double step_m) {
   std::vector<Eigen::Vector2d> points;
   for (double s = from_m; s < to_m; s += step_m) points.push_back(state.poseAhead(s).apply({0, 0}));
@@ -69,7 +65,7 @@ std::vector<Eigen::Vector2d> wayOf(const RobotState& state, double from_m, doubl
 }
 
 Value::Object path(const Live& live) {
-  const double remaining = remainingOf(live.state.drivenMetres());
+  const double remaining = live.state.metresToGoal();
   std::vector<Eigen::Vector2d> points = wayOf(live.state, 0, remaining, kPathStepM);
   points.push_back(live.state.poseAhead(remaining).apply({0, 0}));
   return Value::Object(
@@ -77,7 +73,7 @@ Value::Object path(const Live& live) {
 }
 
 Value::Object localPath(const Live& live) {
-  const double reach = std::min(kLocalPathM, remainingOf(live.state.drivenMetres()));
+  const double reach = std::min(kLocalPathM, live.state.metresToGoal());
   Value::List poses;
   for (double s = 0; s <= reach; s += kPathStepM) {
     const geometry::Pose2 pose = live.state.poseAhead(s);
@@ -95,12 +91,12 @@ Value::Object trajectory(const Live& live) {
 }
 
 Value::Object planningState(const Live& live) {
-  const double driven = live.state.drivenMetres(), remaining = remainingOf(driven);
-  const auto action = static_cast<long long>(std::floor(driven / kActionM));
+  const double driven = live.state.drivenMetres(), remaining = live.state.metresToGoal();
+  const auto action = static_cast<long long>(std::floor(driven / kGoalM));
   const bool arrived = remaining < kArrivedM;
   const Value target = placeOf(live.state.poseAhead(remaining));
   // Now and then somebody stands in the way.
-  const bool stuck = phaseOf(driven, 3 * kActionM) > 2.9 * kActionM;
+  const bool stuck = phaseOf(driven, 3 * kGoalM) > 2.9 * kGoalM;
   return Value::Object{{"map_uid", live.map->uid},
                        {"action_id", 3354 + action},
                        {"action_type", action % 3 == 2 ? "along_given_route" : "standard"},

@@ -44,27 +44,19 @@ class BlockDrawing {
 
   void wallAlongX(double x0, double x1, double y, double thickness, std::vector<Gap> gaps = {}) {
     for (const Gap& wall : between(x0, x1, std::move(gaps))) {
-      solids.push_back({{(wall.first + wall.second) / 2, y},
-                        {(wall.second - wall.first) / 2, thickness / 2},
-                        0,
-                        false,
-                        false});
+      solids.push_back(
+          {{(wall.first + wall.second) / 2, y}, {(wall.second - wall.first) / 2, thickness / 2}});
     }
   }
 
   void wallAlongY(double x, double y0, double y1, double thickness, std::vector<Gap> gaps = {}) {
     for (const Gap& wall : between(y0, y1, std::move(gaps))) {
-      solids.push_back({{x, (wall.first + wall.second) / 2},
-                        {thickness / 2, (wall.second - wall.first) / 2},
-                        0,
-                        false,
-                        false});
+      solids.push_back(
+          {{x, (wall.first + wall.second) / 2}, {thickness / 2, (wall.second - wall.first) / 2}});
     }
   }
 
-  void post(double x, double y, double size) {
-    solids.push_back({{x, y}, {size / 2, size / 2}, 0, false, false});
-  }
+  void post(double x, double y, double size) { solids.push_back({{x, y}, {size / 2, size / 2}}); }
 
   void box(double x, double y, double width, double depth, double yaw_rad = 0) {
     solids.push_back({{x, y}, {width / 2, depth / 2}, yaw_rad, false, true});
@@ -145,11 +137,10 @@ struct Room {
 };
 
 void furnishOffice(BlockDrawing& d, const Room& room) {
-  const double back = room.depth - 0.55;
+  const double back = room.depth - 0.55, yaw = room.inward > 0 ? 0 : std::numbers::pi;
   for (double x = room.x0 + 1.0; x < room.x1 - 0.9; x += d.dice.uniform(1.9, 2.6)) {
-    d.desk(x, room.at(back), room.inward > 0 ? 0 : std::numbers::pi);
-    if (room.depth > 6 && d.dice.chance(0.5))
-      d.desk(x, room.at(back - 2.2), room.inward > 0 ? 0 : std::numbers::pi);
+    d.desk(x, room.at(back), yaw);
+    if (room.depth > 6 && d.dice.chance(0.5)) d.desk(x, room.at(back - 2.2), yaw);
   }
   const double side = d.dice.chance(0.5) ? room.x0 + 0.32 : room.x1 - 0.32;
   for (double t = 1.2; t < room.depth - 1.8; t += 0.95) {
@@ -284,19 +275,11 @@ void appendCorridor(Way& way, double from_x, double to_x, double y, std::vector<
 
 void appendEntry(Way& way, const BlockRequest& request, double begin_x, double outside_x) {
   if (request.entry == Port::MainLane) way.emplace_back(outside_x, kMainY);
-  if (request.entry == Port::SideLane) {
-    way.emplace_back(begin_x, 0);
-  } else {
-    way.emplace_back(begin_x, kMainY);
-  }
+  way.emplace_back(begin_x, request.entry == Port::SideLane ? 0 : kMainY);
 }
 
 void appendExit(Way& way, const BlockRequest& request, double end_x, double outside_x) {
-  if (request.exit == Port::SideLane) {
-    way.emplace_back(end_x, kBlockHeightM);
-    return;
-  }
-  way.emplace_back(end_x, kMainY);
+  way.emplace_back(end_x, request.exit == Port::SideLane ? kBlockHeightM : kMainY);
   if (request.exit == Port::MainLane) way.emplace_back(outside_x, kMainY);
 }
 

@@ -50,12 +50,10 @@ Canvas makeCanvas(const std::vector<ScanPlace>& scans, const Vector2d& anchor, d
   canvas.s = std::sin(yaw);
   canvas.anchor = anchor;
   canvas.resolution = settings.resolution_m;
-  Vector2d low{0, 0}, high{0, 0};
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    const Vector2d p = canvas.local({scans[i].pose.x_m, scans[i].pose.y_m});
-    low = i == 0 ? p : Vector2d(low.cwiseMin(p));
-    high = i == 0 ? p : Vector2d(high.cwiseMax(p));
-  }
+  Eigen::AlignedBox2d bounds;
+  if (scans.empty()) bounds.extend(Vector2d(0, 0));
+  for (const ScanPlace& scan : scans) bounds.extend(canvas.local({scan.pose.x_m, scan.pose.y_m}));
+  const Vector2d low = bounds.min(), high = bounds.max();
   const double res = settings.resolution_m, margin = settings.range_m + 4 * res;
   canvas.top = {std::ceil((high.x() + margin) / res) * res, std::ceil((high.y() + margin) / res) * res};
   canvas.width = static_cast<int>(std::ceil((canvas.top.y() - (low.y() - margin)) / res));
@@ -216,17 +214,19 @@ std::vector<double> cast(const FloorPlan& plan, const geometry::Pose2& pose, int
 
 }  // namespace
 
+Eigen::AlignedBox2d boundsOf(const std::vector<ScanPlace>& scans) {
+  Eigen::AlignedBox2d bounds;
+  for (const ScanPlace& scan : scans) bounds.extend(Vector2d(scan.pose.x_m, scan.pose.y_m));
+  return bounds;
+}
+
 ScanGrid scanGrid(const FloorPlan& plan, const std::vector<Solid>& extra, const std::vector<ScanPlace>& scans,
                   const Vector2d& anchor, double yaw_rad, const ScanSettings& settings) {
   Canvas canvas = makeCanvas(scans, anchor, yaw_rad, settings);
   if (!scans.empty()) {
-    Vector2d low{scans.front().pose.x_m, scans.front().pose.y_m}, high = low;
-    for (const ScanPlace& scan : scans) {
-      low = low.cwiseMin(Vector2d(scan.pose.x_m, scan.pose.y_m));
-      high = high.cwiseMax(Vector2d(scan.pose.x_m, scan.pose.y_m));
-    }
+    const Eigen::AlignedBox2d bounds = boundsOf(scans);
     const Vector2d range(settings.range_m, settings.range_m);
-    for (const std::uint32_t index : plan.near(low - range, high + range))
+    for (const std::uint32_t index : plan.near(bounds.min() - range, bounds.max() + range))
       drawSolid(canvas, plan.solids()[index]);
     for (const Solid& solid : extra) drawSolid(canvas, solid);
     for (const ScanPlace& scan : scans) castScan(canvas, scan, yaw_rad, settings);

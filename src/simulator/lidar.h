@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "geometry/pose.h"
 #include "simulator/floor_plan.h"
@@ -39,6 +39,9 @@ struct ScanPlace {
 /// their lattice. `extra` are solids besides the plan's.
 ScanGrid scanGrid(const FloorPlan& plan, const std::vector<Solid>& extra, const std::vector<ScanPlace>& scans,
                   const Eigen::Vector2d& anchor, double yaw_rad, const ScanSettings& settings);
+
+/// Around the places of some scans.
+Eigen::AlignedBox2d boundsOf(const std::vector<ScanPlace>& scans);
 
 struct LidarPoint {
   Eigen::Vector2d at_m{0, 0};  // world

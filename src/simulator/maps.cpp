@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "simulator/noise.h"
 #include "simulator/value.h"
@@ -13,18 +12,10 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kStaticFilesKept = 32;
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kLiveTrajectory = 1, kFinishedMap = 0, kGatehouse = 3;
 
 std::int64_t wholeStamp(const RobotState& state) {
   return static_cast<std::int64_t>(std::floor(stampOf(state.time())));
-}
-
-PictureSpec wholeOf(int trajectory, double resolution_m = 0.05) {
-  PictureSpec spec;
-  spec.trajectory = trajectory;
-  spec.resolution_m = resolution_m;
-  return spec;
 }
 
 /// Puts features one after the other.
@@ -63,7 +54,7 @@ std::vector<Vector2d> box(const geometry::Pose2& at, double length, double width
 }
 
 Value yawOf(const geometry::Pose2& pose, bool as_text) {
-  const Value yaw = fixed(pose.yaw_rad * kDegrees, 2);
+  const Value yaw = fixed(geometry::degreesFromRadians(pose.yaw_rad), 2);
   return as_text ? Value(toJson(yaw)) : yaw;
 }
 
@@ -137,7 +128,7 @@ std::vector<StoredMap> mapsAtFirst(const Scene& scene) {
   if (scene.trajectories.empty()) return maps;
   const auto add = [&](StoredMap map, int trajectory, double resolution_m) {
     map.overlays = std::make_shared<const std::string>(overlaysAlong(scene, trajectory));
-    map.spec = wholeOf(trajectory, resolution_m);
+    map.spec = {trajectory, resolution_m};
     maps.push_back(std::move(map));
   };
   add({1, "62a1e0b4c9d84f5a9b7f3c21", "Ground floor", 1717405200, 1719911622, 3, 5}, 0, 0.05);
@@ -173,8 +164,7 @@ std::vector<StoredMap> MapLibrary::maps() const {
 
 std::optional<StoredMap> MapLibrary::find(int id) const {
   const std::lock_guard lock(mutex_);
-  const StoredMap* const map = byId(maps_, id);
-  return map == nullptr ? std::nullopt : std::optional(*map);
+  return copyOf(byId(maps_, id));
 }
 
 std::optional<StoredMap> MapLibrary::current() const {
@@ -203,6 +193,14 @@ void MapLibrary::touch(StoredMap& map, const MapPatch& patch) {
     ++map.overlays_version;
   }
   map.modified_s = std::max(map.modified_s + 1, wholeStamp(state_));
+  keep(map);
+}
+
+void MapLibrary::keep(const StoredMap& map) {
+  if (StoredMap* const stored = byId(maps_, map.id)) *stored = map;
+  if (!current_ || current_->id != map.id) return;
+  current_ = map;
+  ++edits_.info;
 }
 
 std::optional<StoredMap> MapLibrary::patch(int id, const MapPatch& patch) {
@@ -210,10 +208,6 @@ std::optional<StoredMap> MapLibrary::patch(int id, const MapPatch& patch) {
   StoredMap* map = byId(maps_, id);
   if (map == nullptr) return std::nullopt;
   touch(*map, patch);
-  if (current_ && current_->id == id) {
-    current_ = *map;
-    ++edits_.info;
-  }
   return *map;
 }
 
@@ -258,8 +252,6 @@ bool MapLibrary::setCurrentOverlays(std::string overlays) {
   const std::lock_guard lock(mutex_);
   if (!current_) return false;
   touch(*current_, {std::nullopt, std::move(overlays)});
-  if (StoredMap* map = byId(maps_, current_->id)) *map = *current_;
-  ++edits_.info;
   return true;
 }
 
@@ -284,10 +276,6 @@ void MapLibrary::editOverlays(int id) {
                     std::string(name) + number + "\"}}" + (any ? "," : ""));
   }
   touch(*map, {std::nullopt, std::move(text)});
-  if (current_ && current_->id == id) {
-    current_ = *map;
-    ++edits_.info;
-  }
 }
 
 void MapLibrary::change() {
@@ -296,8 +284,7 @@ void MapLibrary::change() {
   ++current_->map_version;
   current_->modified_s += 60;
   if (current_->spec) ++current_->spec->crates;
-  if (StoredMap* map = byId(maps_, current_->id)) *map = *current_;
-  ++edits_.info;
+  keep(*current_);
   ++edits_.pictures;
 }
 
@@ -332,18 +319,16 @@ MapPicturePtr MapLibrary::staticFile(std::string_view name) const {
 }
 
 PictureSpec specOf(const MappingSpan& span, bool new_only) {
-  PictureSpec spec = wholeOf(kLiveTrajectory);
-  spec.from_m = span.from_m;
-  spec.scans = span.scans;
+  PictureSpec spec{.trajectory = kLiveTrajectory, .scans = span.scans, .from_m = span.from_m};
   if (span.mapping == Mapping::Continue && !new_only) spec.base = kFinishedMap;
   return spec;
 }
 
 MappingTasks::MappingTasks(RobotState& state) : state_(state) {
   if (state.scene().trajectories.empty()) return;
-  tasks_ = {{48, "finished", false, 1717401600, 1717405100, wholeOf(kFinishedMap)},
+  tasks_ = {{48, "finished", false, 1717401600, 1717405100, PictureSpec{kFinishedMap}},
             {47, "cancelled", false, 1647494329, std::nullopt, std::nullopt},
-            {31, "finished", false, 1643001000, 1643006900, wholeOf(kGatehouse)},
+            {31, "finished", false, 1643001000, 1643006900, PictureSpec{kGatehouse}},
             {30, "failed", false, 1643000000, 1643000100, std::nullopt}};
   next_id_ = tasks_.front().id + 1;
 }
@@ -355,8 +340,7 @@ std::vector<MappingTask> MappingTasks::tasks() const {
 
 std::optional<MappingTask> MappingTasks::find(int id) const {
   const std::lock_guard lock(mutex_);
-  const MappingTask* const task = byId(tasks_, id);
-  return task == nullptr ? std::nullopt : std::optional(*task);
+  return copyOf(byId(tasks_, id));
 }
 
 std::optional<MappingTask> MappingTasks::running() const {

@@ -101,6 +101,8 @@ class MapLibrary {
  private:
   std::string uidFor(int number) const;
   void touch(StoredMap& map, const MapPatch& patch);
+  /// A map as it is now, stored and current.
+  void keep(const StoredMap& map);
   void work(const StoredMap& map);
 
   const RobotState& state_;

@@ -43,12 +43,7 @@ std::vector<ScanPlace> placesOf(const Scene& scene, const PictureSpec& spec) {
 
 /// Twice or more coarser until the area that the scans can reach has few enough cells.
 double affordable(double resolution_m, const std::vector<ScanPlace>& places) {
-  Vector2d low(places.front().pose.x_m, places.front().pose.y_m), high = low;
-  for (const ScanPlace& place : places) {
-    low = low.cwiseMin(Vector2d(place.pose.x_m, place.pose.y_m));
-    high = high.cwiseMax(Vector2d(place.pose.x_m, place.pose.y_m));
-  }
-  const Vector2d size = high - low + Vector2d(2 * kRangeM, 2 * kRangeM);
+  const Vector2d size = boundsOf(places).sizes() + Vector2d(2 * kRangeM, 2 * kRangeM);
   while (size.x() * size.y() / (resolution_m * resolution_m) > kMostCells) resolution_m *= 2;
   return resolution_m;
 }

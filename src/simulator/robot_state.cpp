@@ -50,8 +50,7 @@ RobotState::RobotState(Scene scene, std::uint32_t seed, ClockOptions clock)
     if (trajectory.growth == Growth::Live) continue;
     std::vector<geometry::Pose3>& poses = (*poses_of)[trajectory.id];
     for (int index = 0; index < trajectory.submaps; ++index) {
-      const map::SubmapId look{trajectory.id, trajectory.lookOf(index)};
-      poses.push_back(nominalPose(anchorOf(trajectory, index), look, seedOf(look)));
+      poses.push_back(nominalOf(trajectory, index));
     }
   }
   fixed_poses_ = std::move(poses_of);
@@ -66,8 +65,8 @@ RobotState RobotState::recordedAt(double time_s) const {
 }
 
 geometry::Pose3 RobotState::nominalOf(const Trajectory& trajectory, int index) const {
-  const auto fixed = fixed_poses_->find(trajectory.id);
-  if (fixed != fixed_poses_->end()) return fixed->second[static_cast<std::size_t>(index)];
+  if (fixed_poses_ && trajectory.growth != Growth::Live)
+    return fixed_poses_->at(trajectory.id)[static_cast<std::size_t>(index)];
   const map::SubmapId look{trajectory.id, trajectory.lookOf(index)};
   return nominalPose(anchorOf(trajectory, index), look, seedOf(look));
 }

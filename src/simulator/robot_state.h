@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -21,6 +22,8 @@ namespace mapwright::simulator {
 constexpr double stampOf(double time_s) { return 1717405200 + time_s; }
 /// Its date and time in UTC, as strftime() writes them.
 std::string dateOf(double time_s, const char* format);
+
+constexpr double kGoalM = 40;  // from one goal of the robot to the next
 
 struct ClockOptions {
   double start_at_s = 0;  // simulated seconds
@@ -87,6 +90,11 @@ class RobotState {
   int scansOf(int trajectory) const;
   /// How far the robot has driven, metres.
   double drivenMetres() const { return kSpeedMPerS * time(); }
+  /// To the present goal: one comes after the other.
+  double metresToGoal() const {
+    const double driven = drivenMetres();
+    return kGoalM - (driven - kGoalM * std::floor(driven / kGoalM));
+  }
 
   /// The present version of the submap; nullopt if there is none with that id.
   std::optional<SubmapSource> find(map::SubmapId id) const;

@@ -50,6 +50,11 @@ auto byId(Items& items, const Id& id) -> decltype(items.data()) {
   return nullptr;
 }
 
+template <typename Item>
+std::optional<Item> copyOf(const Item* item) {
+  return item == nullptr ? std::nullopt : std::optional(*item);
+}
+
 struct Scene {
   FloorPlan plan;
   std::vector<Trajectory> trajectories;  // ascending by id

@@ -83,8 +83,7 @@ void KabamStore::furnish(int waypoints) {
     map.created_s = one.created_days * kDayS;
     map.updated_s = one.updated_days * kDayS;
     map.archived = one.archived;
-    map.spec.trajectory = one.trajectory;
-    map.spec.resolution_m = one.resolution_m;
+    map.spec = {one.trajectory, one.resolution_m};
     map.waypoints.push_back(waypointAt(map, 2, "Start", {"localisation", "map_entry"}));
     maps_.push_back(std::move(map));
   }
@@ -144,8 +143,7 @@ std::vector<KabamMap> KabamStore::maps() const {
 
 std::optional<KabamMap> KabamStore::current() const {
   const std::lock_guard lock(mutex_);
-  const KabamMap* const map = byId(maps_, current_);
-  return map == nullptr ? std::nullopt : std::optional(*map);
+  return copyOf(byId(maps_, current_));
 }
 
 KabamEdits KabamStore::edits() const {
@@ -163,11 +161,10 @@ std::optional<RasterSource> KabamStore::raster() const {
 
 /// What the mapping has seen.
 PictureSpec KabamStore::mappedUntil(double time_s) const {
-  PictureSpec spec;
-  spec.trajectory = 1;
-  spec.from_m = kSpeedMPerS * *mapping_since_s_;
-  spec.scans = kScansAtMappingStart + static_cast<int>(kScansPerS * std::floor(time_s - *mapping_since_s_));
-  return spec;
+  const double since_s = *mapping_since_s_;
+  return {.trajectory = 1,
+          .scans = kScansAtMappingStart + static_cast<int>(kScansPerS * std::floor(time_s - since_s)),
+          .from_m = kSpeedMPerS * since_s};
 }
 
 KabamMap* KabamStore::mapOf(std::string_view id) { return byId(maps_, id); }

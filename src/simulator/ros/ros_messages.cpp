@@ -13,7 +13,6 @@ namespace mapwright::simulator::ros {
 namespace {
 
 constexpr double kSeqPerS = 50;
-constexpr double kGoalM = 40;  // one goal after the other, each so far
 constexpr double kStepM = 0.25;
 constexpr double kLengthM = 0.62, kWidthM = 0.46;                     // of the footprint
 constexpr geometry::Pose2 kBaseFromLaser{0.18, 0, std::numbers::pi};  // backwards on the robot
@@ -31,11 +30,6 @@ enum MarkerType {
   kPointList = 8,
   kTextFacing = 9
 };
-
-double remainingToGoal(const Moment& moment) {
-  const double driven = moment.robot.drivenMetres();
-  return kGoalM - (driven - kGoalM * std::floor(driven / kGoalM));
-}
 
 Value transformStamped(const Moment& moment, std::string_view parent, std::string_view child,
                        const geometry::Pose2& pose, double z_m = 0) {
@@ -163,12 +157,12 @@ Value amclPoseMessage(const Moment& moment) {
 }
 
 Value goalMessage(const Moment& moment) {
-  return moment.stamped("map", {{"pose", poseOf(moment.robot.poseAhead(remainingToGoal(moment)))}});
+  return moment.stamped("map", {{"pose", poseOf(moment.robot.poseAhead(moment.robot.metresToGoal()))}});
 }
 
 Value pathMessage(const Moment& moment, double reach_m) {
   const bool is_local = reach_m >= 0;
-  const double remaining = remainingToGoal(moment);
+  const double remaining = moment.robot.metresToGoal();
   const double end = is_local ? std::min(reach_m, remaining) : remaining;
   const std::string_view frame = is_local ? "odom" : "map";
   const geometry::Pose2 to_frame = is_local ? mapFromOdom(moment.time_s).inverse() : geometry::Pose2{};
