@@ -58,17 +58,12 @@ HttpAnswer submapError(int status) {
 }
 
 HttpAnswer submap(const Robot& robot, const HttpQuestion& question) {
-  std::array<std::string_view, 3> parts;
   std::string_view rest = pathOf(question.target).substr(kSubmapPrefix.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t slash = i + 1 < parts.size() ? rest.find('/') : std::string_view::npos;
-    parts[i] = rest.substr(0, slash);
-    rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
-  }
-  const auto trajectory = numberFrom<std::int32_t>(parts[1]), index = numberFrom<std::int32_t>(parts[2]);
-  if (!isUuid(parts[0]) || !trajectory || !index) return submapError(400);
+  const std::string_view asked = partOf(rest, '/');
+  const auto trajectory = numberFrom<std::int32_t>(partOf(rest, '/')), index = numberFrom<std::int32_t>(rest);
+  if (!isUuid(asked) || !trajectory || !index) return submapError(400);
   const std::string uuid = robot.state.uuid();
-  if (parts[0] != uuid)
+  if (asked != uuid)
     return protobufAnswer(
         statusAnswer(ros_messages::slam::UUID_MISMATCH, "The SLAM session has another uuid."));
   const std::optional<SubmapSource> source = robot.state.find({*trajectory, *index});

@@ -81,28 +81,28 @@ std::string percentEncoded(const std::string& text) {
   return QByteArray::fromStdString(text).toPercentEncoding().toStdString();
 }
 
+std::string_view partOf(std::string_view& rest, char separator) {
+  const std::string_view part = rest.substr(0, rest.find(separator));
+  rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+  return part;
+}
+
 std::string_view pathOf(std::string_view target) { return target.substr(0, target.find('?')); }
 
 std::string_view queryValue(std::string_view target, std::string_view key) {
-  const std::size_t mark = target.find('?');
-  std::string_view rest = mark == std::string_view::npos ? std::string_view() : target.substr(mark + 1);
-  while (!rest.empty()) {
-    const std::size_t end = rest.find('&');
-    const std::string_view pair = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    const std::size_t equals = pair.find('=');
-    if (equals != std::string_view::npos && pair.substr(0, equals) == key) return pair.substr(equals + 1);
+  partOf(target, '?');
+  while (!target.empty()) {
+    std::string_view value = partOf(target, '&');
+    if (partOf(value, '=') == key) return value;
   }
   return {};
 }
 
 bool matchesTag(std::string_view if_none_match, std::string_view tag) {
   while (!if_none_match.empty()) {
-    const std::size_t comma = if_none_match.find(',');
-    std::string_view one = if_none_match.substr(0, comma);
-    if_none_match = comma == std::string_view::npos ? std::string_view() : if_none_match.substr(comma + 1);
-    while (!one.empty() && (one.front() == ' ' || one.front() == '\t')) one.remove_prefix(1);
-    while (!one.empty() && (one.back() == ' ' || one.back() == '\t')) one.remove_suffix(1);
+    std::string_view one = partOf(if_none_match, ',');
+    one = one.substr(0, one.find_last_not_of(" \t") + 1);
+    one.remove_prefix(std::min(one.find_first_not_of(" \t"), one.size()));
     if (one.starts_with("W/")) one.remove_prefix(2);
     if (one == tag || one == "*") return true;
   }
@@ -124,14 +124,9 @@ HttpAnswer Answerer::answer(const HttpQuestion& question) {
 std::optional<RequestFields> RequestFields::read(std::string_view content_type, std::string_view body) {
   if (content_type.starts_with("multipart/form-data"))
     return readForm(parameterOf(content_type, "boundary"), body);
-  std::optional<Value> read = fromJson(body);
-  Value::Object* members = read ? read->as<Value::Object>() : nullptr;
-  if (members == nullptr) return std::nullopt;
   RequestFields fields;
-  for (auto& [key, value] : *members) {
-    if (!value.isNull()) fields.values_.insert_or_assign(std::move(key), std::move(value));
-  }
-  return fields;
+  fields.values_ = fromJson(body).value_or(Value());
+  return fields.values_.as<Value::Object>() != nullptr ? std::optional(std::move(fields)) : std::nullopt;
 }
 
 std::optional<RequestFields> RequestFields::readForm(std::string_view boundary, std::string_view body) {
@@ -139,7 +134,7 @@ std::optional<RequestFields> RequestFields::readForm(std::string_view boundary, 
   const std::string mark = "--" + std::string(boundary);
   RequestFields fields;
   fields.is_form_ = true;
-  std::size_t at = body.find(mark);
+  std::size_t at = body.find(mark), parts = 0;
   while (at != std::string_view::npos) {
     at += mark.size();
     if (body.substr(at, 2) == "--") return fields;
@@ -152,30 +147,21 @@ std::optional<RequestFields> RequestFields::readForm(std::string_view boundary, 
     const std::string_view name = disposition == std::string_view::npos
                                       ? std::string_view()
                                       : parameterOf(head.substr(disposition), "name");
-    if (name.empty() || fields.values_.size() >= kMostParts) return std::nullopt;
+    if (name.empty() || ++parts > kMostParts) return std::nullopt;
     const std::size_t from = head_end + 4;
-    fields.values_.insert_or_assign(
-        std::string(name), std::string(next > from ? body.substr(from, next - from) : std::string_view()));
+    fields.values_.set(name, next > from ? body.substr(from, next - from) : std::string_view());
     at = next + 2;
   }
   return std::nullopt;
 }
 
-const Value& RequestFields::find(std::string_view key) const {
-  static const Value null;
-  const auto found = values_.find(key);
-  return found == values_.end() ? null : found->second;
-}
-
-bool RequestFields::has(std::string_view key) const { return !find(key).isNull(); }
-
 std::optional<std::string> RequestFields::text(std::string_view key) const {
-  const auto* text = find(key).as<std::string>();
+  const auto* text = values_[key].as<std::string>();
   return text == nullptr ? std::nullopt : std::optional(*text);
 }
 
 std::optional<double> RequestFields::number(std::string_view key) const {
-  const Value& value = find(key);
+  const Value& value = values_[key];
   std::optional<double> number;
   if (value.isNumber()) number = value.number();
   if (const auto* text = value.as<std::string>(); text != nullptr && is_form_)
@@ -184,14 +170,14 @@ std::optional<double> RequestFields::number(std::string_view key) const {
 }
 
 std::optional<std::int64_t> RequestFields::integer(std::string_view key) const {
-  const Value& value = find(key);
+  const Value& value = values_[key];
   if (const auto* whole = value.as<std::int64_t>()) return *whole;
   const auto* text = value.as<std::string>();
   return text != nullptr && is_form_ ? numberFrom<std::int64_t>(*text) : std::nullopt;
 }
 
 std::optional<bool> RequestFields::flag(std::string_view key, std::optional<bool> otherwise) const {
-  const Value& value = find(key);
+  const Value& value = values_[key];
   if (value.isNull()) return otherwise;
   if (const auto* flag = value.as<bool>()) return *flag;
   if (!is_form_ || (value.text() != "true" && value.text() != "false")) return std::nullopt;
@@ -199,7 +185,7 @@ std::optional<bool> RequestFields::flag(std::string_view key, std::optional<bool
 }
 
 std::optional<std::vector<double>> RequestFields::numbers(std::string_view key) const {
-  const auto* list = find(key).as<Value::List>();
+  const auto* list = values_[key].as<Value::List>();
   if (list == nullptr ||
       !std::all_of(list->begin(), list->end(), [](const Value& one) { return one.isNumber(); }))
     return std::nullopt;

@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +58,8 @@ HttpAnswer emptyAnswer(int status);
 /// The bytes, or those from where the question wants them (a Range to the end, unless If-Range names another
 /// tag).
 HttpAnswer bytesFrom(const HttpQuestion& question, std::string bytes, std::string_view tag = {});
+/// What comes before the separator; `rest` goes on behind it, and is empty if there is none.
+std::string_view partOf(std::string_view& rest, char separator);
 /// The path of a target, without its query.
 std::string_view pathOf(std::string_view target);
 /// The value of `key` in the target's query; empty when absent.
@@ -80,7 +81,7 @@ class RequestFields {
   static std::optional<RequestFields> read(std::string_view content_type, std::string_view body);
 
   /// Present and not null.
-  bool has(std::string_view key) const;
+  bool has(std::string_view key) const { return !values_[key].isNull(); }
   std::optional<std::string> text(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;  // finite
   std::optional<std::int64_t> integer(std::string_view key) const;
@@ -90,9 +91,8 @@ class RequestFields {
 
  private:
   static std::optional<RequestFields> readForm(std::string_view boundary, std::string_view body);
-  const Value& find(std::string_view key) const;
 
-  std::map<std::string, Value, std::less<>> values_;
+  Value values_;
   bool is_form_ = false;  // where numbers are texts
 };
 

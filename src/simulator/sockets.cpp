@@ -153,13 +153,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     });
   }
 
-  void give() {
-    if (answer_.delay_ms > 0) {
-      wait();
-    } else {
-      respond();
-    }
-  }
+  void give() { answer_.delay_ms > 0 ? wait() : respond(); }
 
   void wait() {
     timer_.expires_after(std::chrono::milliseconds(answer_.delay_ms));

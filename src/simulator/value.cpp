@@ -173,14 +173,7 @@ void appendPoint(std::string& out, const Eigen::Vector2d& point) {
 
 }  // namespace
 
-// Not in the class: each message is made of dozens of values, and each would be made and unmade in its place.
-Value::Value() = default;
 Value::Value(std::string_view text) : data_(std::string(text)) {}
-Value::Value(const Value& other) = default;
-Value::Value(Value&& other) noexcept = default;
-Value& Value::operator=(const Value& other) = default;
-Value& Value::operator=(Value&& other) noexcept = default;
-Value::~Value() = default;
 
 Value::Member::Member(std::string_view key, Value content) : name(key), value(std::move(content)) {}
 

@@ -39,18 +39,13 @@ class Value {
   using Data = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object, Bytes,
                             Int8s, Float32s, Float64s, Json>;
 
-  Value();  // null
+  Value() = default;  // null
   template <std::integral Number>
   Value(Number number)
       : data_(static_cast<std::conditional_t<std::is_same_v<Number, bool>, bool, std::int64_t>>(number)) {}
   template <typename T>
   requires(!std::integral<T> && std::constructible_from<Data, T>) Value(T data) : data_(std::move(data)) {}
   Value(std::string_view text);
-  Value(const Value& other);
-  Value(Value&& other) noexcept;
-  Value& operator=(const Value& other);
-  Value& operator=(Value&& other) noexcept;
-  ~Value();
 
   const Data& data() const { return data_; }
   template <typename T>
