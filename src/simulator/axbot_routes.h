@@ -54,6 +54,9 @@ std::span<const Route> bagRoutes();
 /// Of what the robot sees around it.
 std::span<const Route> sightingRoutes();
 
+/// The landmarks beside a part of a drive.
+Value::List landmarksAlong(const Drive& drive, double from_m, double length_m);
+
 /// A map's PNG with the effects of the faults.
 std::string faultyPng(const std::string& png, const Faults& faults);
 

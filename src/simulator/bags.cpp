@@ -89,12 +89,6 @@ std::string latchedContent(std::string_view topic, const MapPicturePtr& picture)
   return toJson(message);
 }
 
-std::string contentOf(std::string_view topic, const RobotState& then, const std::optional<StoredMap>& map,
-                      std::uint32_t seed) {
-  if (topic == kScans) return scanMessage(then, kPointsPerScan, seed);
-  return liveMessage(topic, then, map).value_or(std::string());
-}
-
 /// What its SLAM has is asked of the robot itself, whenever a bag is looked at: so bags list what it has from
 /// its start on.
 std::string submapsOf(const RobotState& state) {
@@ -154,15 +148,14 @@ class BagRecording {
     return damaged_ms_ > 0 && from <= damaged && damaged <= until;
   }
 
-  enum class End { Inclusive, Exclusive };
-  /// A JSON list of the messages in [from, until] (epoch seconds), preceded by the last one of each latched
-  /// topic. Only these are generated.
-  std::string messagesJson(double from, double until, End end) const {
+  /// A JSON list of the messages in [from, until] (epoch seconds; without its end if asked so), preceded by
+  /// the last one of each latched topic. Only these are generated.
+  std::string messagesJson(double from, double until, bool without_end) const {
     std::array<const Tick*, kRecorded.size()> last{};
     std::vector<const Tick*> wanted;
     for (const Tick& tick : ticks_) {
       const double stamp = static_cast<double>(tick.stamp_ms) / 1000;
-      if (stamp > until || (stamp == until && end == End::Exclusive)) continue;
+      if (stamp > until || (stamp == until && without_end)) continue;
       if (stamp >= from) {
         wanted.push_back(&tick);
       } else if (kRecorded[tick.topic].latched) {
@@ -193,44 +186,29 @@ class BagRecording {
   };
 
   void apply(BagQuirk quirk) {
+    const auto at = [&](std::size_t fifths) {
+      return ticks_.begin() + static_cast<std::ptrdiff_t>(ticks_.size() * fifths / 5);
+    };
     const std::size_t middle = ticks_.size() / 2;
-    switch (quirk) {
-      case BagQuirk::None:
-        break;
-      case BagQuirk::ClockSetBack:
-        for (std::size_t i = middle; i < ticks_.size(); ++i) ticks_[i].stamp_ms -= kSetBackMs;
-        break;
-      case BagQuirk::SameStamps:
-        for (Tick& tick : ticks_) tick.stamp_ms -= tick.stamp_ms % 500;
-        break;
-      case BagQuirk::Gap:
-        ticks_.erase(ticks_.begin() + std::ptrdiff_t(ticks_.size() * 2 / 5),
-                     ticks_.begin() + std::ptrdiff_t(ticks_.size() * 3 / 5));
-        break;
-      case BagQuirk::EndsLate:
-        silent_s_ = kSilentS;
-        break;
-      case BagQuirk::OneMessage:
-        ticks_.resize(std::min<std::size_t>(ticks_.size(), 1));
-        break;
-      case BagQuirk::Empty:
-        ticks_.clear();
-        break;
-      case BagQuirk::Damaged:
-      case BagQuirk::Unreadable:
-        damaged_ms_ = ticks_[middle].stamp_ms;
-        break;
-      case BagQuirk::Uncounted:
-      case BagQuirk::Latched:
-        break;
+    for (std::size_t i = middle; quirk == BagQuirk::ClockSetBack && i < ticks_.size(); ++i)
+      ticks_[i].stamp_ms -= kSetBackMs;
+    for (Tick& tick : ticks_) {
+      if (quirk == BagQuirk::SameStamps) tick.stamp_ms -= tick.stamp_ms % 500;
     }
+    if (quirk == BagQuirk::Gap) ticks_.erase(at(2), at(3));
+    if (quirk == BagQuirk::EndsLate) silent_s_ = kSilentS;
+    if (quirk == BagQuirk::OneMessage) ticks_.resize(std::min<std::size_t>(ticks_.size(), 1));
+    if (quirk == BagQuirk::Empty) ticks_.clear();
+    if (quirk == BagQuirk::Damaged || quirk == BagQuirk::Unreadable) damaged_ms_ = ticks_[middle].stamp_ms;
   }
 
   std::string contentAt(const Tick& tick) const {
     const std::string_view topic = kRecorded[tick.topic].topic;
     if (tick.topic >= kUsualTopics) return latchedContent(topic, picture_);
     if (topic == kSubmapListTopic) return submapsOf(state_);
-    return contentOf(topic, state_.recordedAt(timeOf(tick.true_ms)), map_, seed_);
+    const RobotState then = state_.recordedAt(timeOf(tick.true_ms));
+    if (topic == kScans) return scanMessage(then, kPointsPerScan, seed_);
+    return liveMessage(topic, then, map_).value_or(std::string());
   }
 
   std::string textOf(const Tick& tick) const {
@@ -360,16 +338,19 @@ bool isSuffix(std::string_view suffix) {
   return suffix.size() <= kLongestSuffix && std::all_of(suffix.begin(), suffix.end(), isWordCharacter);
 }
 
-template <BagFolder kFolder>
-HttpAnswer listBags(const Robot& robot, const Request&) {
+BagFolder folderOf(const Request& request) {
+  return request.question.target.starts_with("/bags") ? BagFolder::Bags : BagFolder::Recordings;
+}
+
+HttpAnswer listBags(const Robot& robot, const Request& request) {
+  const BagFolder folder = folderOf(request);
   Value::List files;
-  for (const Bag& bag : robot.bags.list(kFolder)) files.push_back(fileValue(kFolder, bag));
+  for (const Bag& bag : robot.bags.list(folder)) files.push_back(fileValue(folder, bag));
   return valueAnswer(200, files);
 }
 
-template <BagFolder kFolder>
-HttpAnswer deleteBags(const Robot& robot, const Request&) {
-  robot.bags.removeAll(kFolder);
+HttpAnswer deleteBags(const Robot& robot, const Request& request) {
+  robot.bags.removeAll(folderOf(request));
   return emptyAnswer(204);
 }
 
@@ -388,24 +369,28 @@ HttpAnswer record(const Robot& robot, const Request& request) {
       201, fileValue(BagFolder::Recordings, robot.bags.record(*suffix, *duration_s, fields.has("category"))));
 }
 
+std::optional<Bag> bagOf(const Robot& robot, const Request& request) {
+  return robot.bags.find(folderOf(request), percentDecoded(request.name));
+}
+
 /// A route of a file, whose name the path has.
-template <BagFolder kFolder, HttpAnswer (*kAnswer)(const Robot&, BagFolder, const Bag&, const Request&)>
+template <HttpAnswer (*kAnswer)(const Robot&, const Bag&, const Request&)>
 HttpAnswer ofBag(const Robot& robot, const Request& request) {
-  const std::optional<Bag> bag = robot.bags.find(kFolder, percentDecoded(request.name));
-  return bag ? kAnswer(robot, kFolder, *bag, request) : noSuchFile();
+  const std::optional<Bag> bag = bagOf(robot, request);
+  return bag ? kAnswer(robot, *bag, request) : noSuchFile();
 }
 
-HttpAnswer bagDetail(const Robot&, BagFolder folder, const Bag& bag, const Request&) {
-  return valueAnswer(200, fileValue(folder, bag));
+HttpAnswer bagDetail(const Robot&, const Bag& bag, const Request& request) {
+  return valueAnswer(200, fileValue(folderOf(request), bag));
 }
 
-HttpAnswer deleteBag(const Robot& robot, BagFolder folder, const Bag& bag, const Request&) {
-  const BagStore::Removal removal = robot.bags.remove(folder, bag.name);
-  if (removal == BagStore::Removal::Recording) return errorAnswer(400, "This bag is still being recorded.");
-  return removal == BagStore::Removal::Removed ? emptyAnswer(204) : noSuchFile();
+HttpAnswer deleteBag(const Robot& robot, const Bag& bag, const Request& request) {
+  if (bag.condition == BagCondition::Recording) return errorAnswer(400, "This bag is still being recorded.");
+  robot.bags.remove(folderOf(request), bag.name);
+  return emptyAnswer(204);
 }
 
-HttpAnswer downloadBag(const Robot& robot, BagFolder, const Bag& bag, const Request& request) {
+HttpAnswer downloadBag(const Robot& robot, const Bag& bag, const Request& request) {
   HttpQuestion question = request.question;
   if (!robot.options.bags.ranges) question.range = {};
   HttpAnswer answer = bytesFrom(question, bagBytes(bag));
@@ -413,9 +398,8 @@ HttpAnswer downloadBag(const Robot& robot, BagFolder, const Bag& bag, const Requ
   return answer;
 }
 
-template <BagFolder kFolder>
 HttpAnswer player(const Robot& robot, const Request& request) {
-  const std::optional<Bag> bag = robot.bags.find(kFolder, percentDecoded(request.name));
+  const std::optional<Bag> bag = bagOf(robot, request);
   if (!bag) return playerError("The bag file was not found.");
   if (bag->condition == BagCondition::Corrupt)
     return playerError("The bag file is corrupted: its index is missing.");
@@ -437,28 +421,26 @@ HttpAnswer player(const Robot& robot, const Request& request) {
   }
   Value body = Value::Object{{"start_time", recording->startTime()}, {"end_time", recording->endTime()}};
   if (bag->span.quirk != BagQuirk::Uncounted) body.set("total_messages", recording->messages());
-  const auto end_of =
-      robot.options.bags.end_exclusive ? BagRecording::End::Exclusive : BagRecording::End::Inclusive;
-  if (!whole) body.set("messages", Value::Json{recording->messagesJson(*from, *until, end_of)});
+  const bool without_end = robot.options.bags.end_exclusive;
+  if (!whole) body.set("messages", Value::Json{recording->messagesJson(*from, *until, without_end)});
   HttpAnswer answer = valueAnswer(200, body);
   answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
   return answer;
 }
 
-constexpr BagFolder kBags = BagFolder::Bags, kRecordings = BagFolder::Recordings;
-constexpr Route kBagRoutes[] = {{"GET", "/bags/", listBags<kBags>},
-                                {"DELETE", "/bags/", deleteBags<kBags>},
-                                {"GET", "/bags/*/player", player<kBags>},
-                                {"GET", "/bags/*/download", ofBag<kBags, downloadBag>},
-                                {"GET", "/bags/*/", ofBag<kBags, bagDetail>},
-                                {"DELETE", "/bags/*/", ofBag<kBags, deleteBag>},
-                                {"GET", "/recording/", listBags<kRecordings>},
+constexpr Route kBagRoutes[] = {{"GET", "/bags/", listBags},
+                                {"DELETE", "/bags/", deleteBags},
+                                {"GET", "/bags/*/player", player},
+                                {"GET", "/bags/*/download", ofBag<downloadBag>},
+                                {"GET", "/bags/*/", ofBag<bagDetail>},
+                                {"DELETE", "/bags/*/", ofBag<deleteBag>},
+                                {"GET", "/recording/", listBags},
                                 {"POST", "/recording/", record, Route::Body::Json},
-                                {"DELETE", "/recording/", deleteBags<kRecordings>},
-                                {"GET", "/recording/*/player", player<kRecordings>},
-                                {"GET", "/recording/*/download", ofBag<kRecordings, downloadBag>},
-                                {"GET", "/recording/*/", ofBag<kRecordings, bagDetail>},
-                                {"DELETE", "/recording/*/", ofBag<kRecordings, deleteBag>}};
+                                {"DELETE", "/recording/", deleteBags},
+                                {"GET", "/recording/*/player", player},
+                                {"GET", "/recording/*/download", ofBag<downloadBag>},
+                                {"GET", "/recording/*/", ofBag<bagDetail>},
+                                {"DELETE", "/recording/*/", ofBag<deleteBag>}};
 
 }  // namespace
 
@@ -495,10 +477,8 @@ std::vector<Bag> BagStore::list(BagFolder folder) const {
 }
 
 std::optional<Bag> BagStore::find(BagFolder folder, std::string_view name) const {
-  for (Bag& bag : list(folder)) {
-    if (bag.name == name) return std::move(bag);
-  }
-  return std::nullopt;
+  const std::vector<Bag> bags = list(folder);
+  return copyOf(byName(bags, name));
 }
 
 Bag BagStore::record(std::string_view suffix, double duration_s, bool every_scan) {
@@ -509,17 +489,13 @@ Bag BagStore::record(std::string_view suffix, double duration_s, bool every_scan
   return bag;
 }
 
-BagStore::Removal BagStore::remove(BagFolder folder, std::string_view name) {
-  const std::optional<Bag> bag = find(folder, name);
-  if (!bag) return Removal::Missing;
-  if (bag->condition == BagCondition::Recording) return Removal::Recording;
+void BagStore::remove(BagFolder folder, const std::string& name) {
   const std::lock_guard lock(mutex_);
   if (folder == BagFolder::Bags) {
-    removed_.insert(bag->name);
+    removed_.insert(name);
   } else {
-    std::erase_if(recordings_, [&](const Bag& known) { return known.name == bag->name; });
+    std::erase_if(recordings_, [&](const Bag& known) { return known.name == name; });
   }
-  return Removal::Removed;
 }
 
 void BagStore::removeAll(BagFolder folder) {

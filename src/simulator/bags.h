@@ -61,8 +61,7 @@ class BagStore {
   /// Stores the last seconds. Replaces a file with the same second and name.
   Bag record(std::string_view suffix, double duration_s, bool every_scan);
 
-  enum class Removal { Removed, Missing, Recording };
-  Removal remove(BagFolder folder, std::string_view name);
+  void remove(BagFolder folder, const std::string& name);
   /// The bag being recorded stays.
   void removeAll(BagFolder folder);
 

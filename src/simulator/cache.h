@@ -26,7 +26,7 @@ class Cache {
     return made;
   }
 
- private:
+  /// nullopt if it is not kept.
   std::optional<Item> find(const Key& key) {
     const std::lock_guard lock(mutex_);
     for (auto item = items_.begin(); item != items_.end(); ++item) {
@@ -37,6 +37,7 @@ class Cache {
     return std::nullopt;
   }
 
+ private:
   const std::size_t most_;
   std::mutex mutex_;
   std::list<std::pair<Key, Item>> items_;  // newest first

@@ -192,7 +192,7 @@ HttpAnswer deleteMaps(const Robot& robot, const Request&) {
   return emptyAnswer(204);
 }
 
-HttpAnswer shownMap(const Robot& robot, const StoredMap& map) {
+HttpAnswer mapDetail(const Robot& robot, const StoredMap& map, const Request&) {
   const MapPicturePtr picture = robot.library.pictureOf(map);
   const std::string path = "/maps/" + std::to_string(map.id);
   Value body = mapValue(map);
@@ -213,13 +213,8 @@ HttpAnswer noSuchMap() { return errorAnswer(404, "There is no such map."); }
 /// A route of a stored map, whose id the path has.
 template <HttpAnswer (*kAnswer)(const Robot&, const StoredMap&, const Request&)>
 HttpAnswer ofMap(const Robot& robot, const Request& request) {
-  const std::optional<int> id = numberFrom<int>(request.name);
-  const std::optional<StoredMap> map = id ? robot.library.find(*id) : std::nullopt;
+  const std::optional<StoredMap> map = robot.library.find(numberFrom<int>(request.name).value_or(-1));
   return map ? kAnswer(robot, *map, request) : noSuchMap();
-}
-
-HttpAnswer mapDetail(const Robot& robot, const StoredMap& map, const Request&) {
-  return shownMap(robot, map);
 }
 
 HttpAnswer changeMap(const Robot& robot, const StoredMap& map, const Request& request) {
@@ -229,10 +224,10 @@ HttpAnswer changeMap(const Robot& robot, const StoredMap& map, const Request& re
     return errorAnswer(400, "map_name: must be a text of 1 to 255 bytes.");
   if (fields.has("overlays") && (!patch.overlays || !isOverlays(*patch.overlays)))
     return errorAnswer(400, "overlays: must be the text of a GeoJSON FeatureCollection.");
-  if (!patch.name && !patch.overlays) return shownMap(robot, map);
+  if (!patch.name && !patch.overlays) return mapDetail(robot, map, request);
   if (patch.overlays && robot.faults.faults().overlay_edit_before_writes) robot.library.editOverlays(map.id);
   const std::optional<StoredMap> changed = robot.library.patch(map.id, patch);
-  return changed ? shownMap(robot, *changed) : noSuchMap();
+  return changed ? mapDetail(robot, *changed, request) : noSuchMap();
 }
 
 HttpAnswer deleteMap(const Robot& robot, const StoredMap& map, const Request&) {
@@ -323,24 +318,14 @@ Value trajectoriesOf(const DrivenWay& way) {
 }
 
 Value landmarksOf(const DrivenWay& way) {
-  Value::List list;
-  for (int i = 0; i < 6; ++i) {
-    const geometry::Pose2 by = way.drive->at(way.from_m + way.length_m() * (i + 0.5) / 6);
-    list.push_back(Value::Object{{"id", "landmark_" + std::to_string(i + 1)},
-                                 {"pos", pointOf(by.apply({0, i % 2 == 0 ? 1.1 : -1.1}))},
-                                 {"in_use", i % 3 != 2}});
-  }
+  Value::List list = landmarksAlong(*way.drive, way.from_m, way.length_m());
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].set("in_use", i % 3 != 2);
   return list;
 }
 
 HttpAnswer noSuchTask() { return errorAnswer(404, "There is no such mapping task."); }
 
-HttpAnswer removed(MappingTasks::Removal removal) {
-  if (removal == MappingTasks::Removal::Missing) return noSuchTask();
-  if (removal == MappingTasks::Removal::Running)
-    return errorAnswer(400, "A mapping task is running. Finish or cancel it first.");
-  return emptyAnswer(204);
-}
+HttpAnswer taskRuns() { return errorAnswer(400, "A mapping task is running. Finish or cancel it first."); }
 
 Value taskValue(const Robot& robot, const MappingTask& task) {
   const MapPicturePtr picture = task.spec ? robot.library.pictures().picture(*task.spec) : nullptr;
@@ -388,7 +373,9 @@ HttpAnswer listTasks(const Robot& robot, const Request&) {
   return valueAnswer(200, tasks);
 }
 
-HttpAnswer deleteTasks(const Robot& robot, const Request&) { return removed(robot.mappings.removeAll()); }
+HttpAnswer deleteTasks(const Robot& robot, const Request&) {
+  return robot.mappings.removeAll() ? emptyAnswer(204) : taskRuns();
+}
 
 HttpAnswer runningTask(const Robot& robot, const std::optional<MappingTask>& task) {
   return task ? shownTask(robot, 200, *task) : errorAnswer(404, "No mapping task is running.");
@@ -412,8 +399,7 @@ HttpAnswer endMapping(const Robot& robot, const Request& request) {
 /// A route of a mapping task, whose id the path has.
 template <HttpAnswer (*kAnswer)(const Robot&, const MappingTask&, const Request&)>
 HttpAnswer ofTask(const Robot& robot, const Request& request) {
-  const std::optional<int> id = numberFrom<int>(request.name);
-  const std::optional<MappingTask> task = id ? robot.mappings.find(*id) : std::nullopt;
+  const std::optional<MappingTask> task = robot.mappings.find(numberFrom<int>(request.name).value_or(-1));
   return task ? kAnswer(robot, *task, request) : noSuchTask();
 }
 
@@ -429,7 +415,9 @@ HttpAnswer taskDetail(const Robot& robot, const MappingTask& task, const Request
 }
 
 HttpAnswer deleteTask(const Robot& robot, const MappingTask& task, const Request&) {
-  return removed(robot.mappings.remove(task.id));
+  if (task.state == "running") return taskRuns();
+  robot.mappings.remove(task.id);
+  return emptyAnswer(204);
 }
 
 HttpAnswer taskTrajectories(const Robot&, const DrivenWay& way, const PictureSpec&, const Request&) {
@@ -488,6 +476,16 @@ std::string faultyPng(const std::string& png, const Faults& faults) {
   std::string made = faults.lying_map_size ? withDeclaredSize(png, 60'000, 60'000) : png;
   if (faults.truncated_maps) made.resize(made.size() / 2);
   return made;
+}
+
+Value::List landmarksAlong(const Drive& drive, double from_m, double length_m) {
+  Value::List list;
+  for (int i = 0; i < 6; ++i) {
+    const geometry::Pose2 by = drive.at(from_m + length_m * (i + 0.5) / 6);
+    list.push_back(Value::Object{{"id", "landmark_" + std::to_string(i + 1)},
+                                 {"pos", pointOf(by.apply({0, i % 2 == 0 ? 1.1 : -1.1}))}});
+  }
+  return list;
 }
 
 std::span<const Route> mapRoutes() { return kMapRoutes; }

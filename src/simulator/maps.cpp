@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kStaticFilesKept = 32;
 constexpr int kLiveTrajectory = 1, kFinishedMap = 0, kGatehouse = 3;
 
 std::int64_t wholeStamp(const RobotState& state) {
@@ -302,20 +301,8 @@ MapPicturePtr MapLibrary::livePicture() {
 
 std::string MapLibrary::publishStatic(std::string_view prefix, const MapPicturePtr& picture) {
   const std::string name = std::string(prefix) + "-" + picture->hash + ".png";
-  const std::lock_guard lock(mutex_);
-  const bool known = std::any_of(static_files_.begin(), static_files_.end(),
-                                 [&](const auto& file) { return file.first == name; });
-  if (!known) static_files_.emplace_back(name, picture);
-  if (static_files_.size() > kStaticFilesKept) static_files_.pop_front();
+  static_files_.get(name, [&] { return picture; });
   return "static-files/" + name;
-}
-
-MapPicturePtr MapLibrary::staticFile(std::string_view name) const {
-  const std::lock_guard lock(mutex_);
-  for (const auto& [known, picture] : static_files_) {
-    if (known == name) return picture;
-  }
-  return nullptr;
 }
 
 PictureSpec specOf(const MappingSpan& span, bool new_only) {
@@ -374,18 +361,16 @@ std::optional<MappingTask> MappingTasks::end(End how) {
   return task;
 }
 
-MappingTasks::Removal MappingTasks::remove(int id) {
+void MappingTasks::remove(int id) {
   const std::lock_guard lock(mutex_);
-  if (runs() && tasks_.front().id == id) return Removal::Running;
-  return std::erase_if(tasks_, [&](const MappingTask& task) { return task.id == id; }) > 0 ? Removal::Removed
-                                                                                           : Removal::Missing;
+  std::erase_if(tasks_, [&](const MappingTask& task) { return task.id == id; });
 }
 
-MappingTasks::Removal MappingTasks::removeAll() {
+bool MappingTasks::removeAll() {
   const std::lock_guard lock(mutex_);
-  if (runs()) return Removal::Running;
+  if (runs()) return false;
   tasks_.clear();
-  return Removal::Removed;
+  return true;
 }
 
 }  // namespace mapwright::simulator

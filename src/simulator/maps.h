@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "simulator/pictures.h"
@@ -96,7 +94,9 @@ class MapLibrary {
   /// Stores a picture for /static-files/; returns its path without a leading slash. The last 32 are kept.
   std::string publishStatic(std::string_view prefix, const MapPicturePtr& picture);
   /// By file name: "map-<hash>.png". Null if it does not exist (any more).
-  MapPicturePtr staticFile(std::string_view name) const;
+  MapPicturePtr staticFile(std::string_view name) {
+    return static_files_.find(std::string(name)).value_or(nullptr);
+  }
 
  private:
   std::string uidFor(int number) const;
@@ -116,7 +116,7 @@ class MapLibrary {
   int next_id_ = 1;
   int handed_in_ = 0;
   MapEdits edits_;
-  std::deque<std::pair<std::string, MapPicturePtr>> static_files_;
+  Cache<std::string, MapPicturePtr> static_files_{32};
 };
 
 struct MappingTask {
@@ -146,10 +146,10 @@ class MappingTasks {
   /// nullopt when none runs.
   std::optional<MappingTask> end(End how);
 
-  enum class Removal { Removed, Missing, Running };
-  Removal remove(int id);
-  /// Running, with nothing removed, while one is running.
-  Removal removeAll();
+  /// One that does not run.
+  void remove(int id);
+  /// false, with nothing removed, while one is running.
+  bool removeAll();
 
  private:
   bool runs() const { return !tasks_.empty() && tasks_.front().state == "running"; }

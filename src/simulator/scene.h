@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,14 @@ template <typename Items, typename Id>
 auto byId(Items& items, const Id& id) -> decltype(items.data()) {
   for (auto& item : items) {
     if (item.id == id) return &item;
+  }
+  return nullptr;
+}
+
+template <typename Items>
+auto byName(Items& items, std::string_view name) -> decltype(items.data()) {
+  for (auto& item : items) {
+    if (item.name == name) return &item;
   }
   return nullptr;
 }

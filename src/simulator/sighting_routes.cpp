@@ -43,11 +43,7 @@ HttpAnswer collectedFile(const Robot& robot, const Request& request) {
     return errorAnswer(404, "There is no such file.");
   const Trajectory* const way = robot.state.scene().find(0);
   Value::List list;
-  for (int i = 0; way != nullptr && i < 6; ++i) {
-    const geometry::Pose2 by = way->drive.at(way->drive.length_m() * (i + 0.5) / 6);
-    list.push_back(Value::Object{{"id", "landmark_" + std::to_string(i + 1)},
-                                 {"pos", pointOf(by.apply({0, i % 2 == 0 ? 1.1 : -1.1}))}});
-  }
+  if (way != nullptr) list = landmarksAlong(way->drive, 0, way->drive.length_m());
   return valueAnswer(200, Value::Object{{"landmarks", std::move(list)}});
 }
 
