@@ -44,7 +44,7 @@ class Building {
 
   double edge_m() const { return edge_m_; }
   /// The cell at a position between two heights: -1, 0 or 100.
-  std::int8_t cellAt(double x_m, double y_m, double from_z_m = 0.1, double to_z_m = 2) const {
+  std::int8_t cellAt(double x_m, double y_m, double from_z_m, double to_z_m) const {
     const double half = std::floor(edge_m_ / 2);
     if (x_m < -half || y_m < -half || x_m >= edge_m_ - half || y_m >= edge_m_ - half) return -1;
     // Outside the outer wall, and some rooms, nobody has been.
@@ -61,6 +61,20 @@ class Building {
       if (wallAt(x_m, y_m, level)) return 100;
     }
     return 0;
+  }
+
+  /// The cells of a grid whose lower left corner is `origin`.
+  Value::Int8s cellsFrom(const geometry::Pose2& origin, double cell_m, int width, int height, double from_z_m,
+                         double to_z_m) const {
+    Value::Int8s cells;
+    cells.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        const Eigen::Vector2d at = origin.apply({(u + 0.5) * cell_m, (v + 0.5) * cell_m});
+        cells.push_back(cellAt(at.x(), at.y(), from_z_m, to_z_m));
+      }
+    }
+    return cells;
   }
 
   struct Point {
@@ -359,14 +373,7 @@ Answer Dispatcher::grid(const Value& request, bool whole) {
   }
   if (columns * rows > kMostCells) return refused(verb, "not enough memory for so many cells");
   const int width = static_cast<int>(columns), height = static_cast<int>(rows);
-  Value::Int8s cells;
-  cells.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      const Eigen::Vector2d at = origin.apply({(u + 0.5) * cell, (v + 0.5) * cell});
-      cells.push_back(building_->cellAt(at.x(), at.y()));
-    }
-  }
+  Value::Int8s cells = building_->cellsFrom(origin, cell, width, height, 0.1, 2);
   for (std::size_t i = 0; odd.cloud.lie == "cells" && i < cells.size(); i += 1000)
     cells[i] = i % 2000 == 0 ? 120 : -7;
   if (odd.cloud.lie == "data") cells.resize(cells.size() - cells.size() / 3);
@@ -478,17 +485,11 @@ Value Dispatcher::messageOf(std::string_view topic) const {
   }
   const int width = static_cast<int>(std::round(of.width / kProjectedCellM)),
             height = static_cast<int>(std::round(of.height / kProjectedCellM));
-  Value::Int8s cells;
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      cells.push_back(building_->cellAt(of.x + (u + 0.5) * kProjectedCellM,
-                                        of.y + (v + 0.5) * kProjectedCellM, of.min_z, of.max_z));
-    }
-  }
-  return Value::Object{
-      {"map", gridMessage(kProjectedCellM, width, height, {of.x, of.y, 0}, std::move(cells))},
-      {"min_z", of.min_z},
-      {"max_z", of.max_z}};
+  const geometry::Pose2 origin{of.x, of.y, 0};
+  Value::Int8s cells = building_->cellsFrom(origin, kProjectedCellM, width, height, of.min_z, of.max_z);
+  return Value::Object{{"map", gridMessage(kProjectedCellM, width, height, origin, std::move(cells))},
+                       {"min_z", of.min_z},
+                       {"max_z", of.max_z}};
 }
 
 }  // namespace mapwright::simulator::ros

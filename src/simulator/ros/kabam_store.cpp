@@ -233,8 +233,7 @@ Value KabamStore::saveMap(const Value& request) {
   if (!mapping_since_s_ || !isUsable(name) || name.find('/') != std::string::npos)
     return saved(SaveResult::Invalid);
   if (maps_.size() >= kMostMaps) return saved(SaveResult::Failed);
-  if (std::any_of(maps_.begin(), maps_.end(), [&](const KabamMap& map) { return map.name == name; }))
-    return saved(SaveResult::NameExists);
+  if (byName(maps_, name) != nullptr) return saved(SaveResult::NameExists);
   KabamMap map;
   map.id = newId();
   map.name = map.label = name;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "simulator/lidar.h"
 #include "simulator/noise.h"
-#include "simulator/ros/kabam_store.h"
 
 namespace mapwright::simulator::ros {
 namespace {
@@ -139,7 +139,8 @@ Value tfMessage(const Moment& moment) {
 Value tfStaticMessage(const Moment& moment) {
   // What is fixed stays right under every fault.
   const RosFaults none;
-  const Moment sound{moment.ros, moment.robot, moment.options, none, 0, moment.pose};
+  const Moment sound{moment.robot, moment.kabam, moment.pictures, moment.costs, moment.options, none, 0,
+                     moment.pose};
   Value::List transforms{transformStamped(sound, "base_link", "laser", kBaseFromLaser, kLaserHeightM)};
   return Value::Object{{"transforms", std::move(transforms)}};
 }
@@ -230,7 +231,9 @@ Value pointCloudMessage(const Moment& moment) {
                                   {"is_dense", true}});
 }
 
-Value markersMessage(const Moment& moment, const std::optional<KabamMap>& map) {
+Value markersMessage(const Moment& moment) {
+  // Where the manager tells of waypoints, nobody else needs to.
+  const std::optional<KabamMap> map = moment.options.ros.kabam ? std::nullopt : moment.kabam.current();
   Value::List markers;
   const auto add = [&](std::string_view ns, std::size_t id, MarkerType type, const Value& pose,
                        const Value& scale) -> Value& {

@@ -2,17 +2,13 @@
 // of the robot's clock and faults.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string_view>
 
 #include "geometry/pose.h"
-#include "simulator/robot_state.h"
-#include "simulator/value.h"
+#include "simulator/ros/kabam_store.h"
 
 namespace mapwright::simulator::ros {
-
-struct KabamMap;
-class RosRobot;
 
 /// {"secs","nsecs"} or {"sec","nanosec"}, of simulated time.
 Value timeOf(double simulated_s, RosDialect dialect);
@@ -29,10 +25,20 @@ Value mapInfo(double resolution_m, int width, int height, const geometry::Pose2&
 /// The pose of the frame odom in map: it drifts.
 geometry::Pose2 mapFromOdom(double simulated_s);
 
+/// Occupancy, row 0 at the bottom.
+struct OccupancyCells {
+  GridPlace place;
+  Value::Int8s cells;
+};
+
+using CostsCache = Cache<RasterSource, std::shared_ptr<const OccupancyCells>>;
+
 /// The input for all messages at one time.
 struct Moment {
-  RosRobot& ros;
   const RobotState& robot;
+  const KabamStore& kabam;
+  MapPictures& pictures;
+  CostsCache& costs;  // of whole maps
   const Options& options;
   const RosFaults& faults;
   double time_s = 0;
@@ -55,6 +61,6 @@ Value footprintMessage(const Moment& moment);
 Value laserScanMessage(const Moment& moment);
 Value pointCloudMessage(const Moment& moment);
 /// Markers as planners and operators' tools draw them: one of each common kind.
-Value markersMessage(const Moment& moment, const std::optional<KabamMap>& map);
+Value markersMessage(const Moment& moment);
 
 }  // namespace mapwright::simulator::ros

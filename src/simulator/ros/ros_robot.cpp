@@ -75,6 +75,72 @@ Value gridPatchMessage(const Moment& moment, const OccupancyCells& of) {
       "map", {{"x", u0}, {"y", v0}, {"width", u1 - u0}, {"height", v1 - v0}, {"data", std::move(cells)}});
 }
 
+std::optional<OccupancyCells> mapCells(const Moment& moment) {
+  const std::optional<RasterSource> source = moment.kabam.raster();
+  const std::shared_ptr<const FloorCells> floor = source ? moment.pictures.cells(source->spec) : nullptr;
+  if (!floor) return std::nullopt;
+  const GrayPicture* const image = source->image.get();
+  return upsideDown(*floor, [&](std::size_t i) {
+    return image != nullptr ? cellOf(image->levels[i]) : cellOf(floor->cells[i]);
+  });
+}
+
+Value mapMessage(const Moment& moment) {
+  std::optional<OccupancyCells> cells = mapCells(moment);
+  return cells ? gridMessage(moment, "map", std::move(*cells)) : Value();
+}
+
+Value mapUpdate(const Moment& moment) {
+  if (moment.kabam.state() != ManagerState::Mapping) return {};
+  const std::optional<OccupancyCells> cells = mapCells(moment);
+  return cells ? gridPatchMessage(moment, *cells) : Value();
+}
+
+Value localCosts(const Moment& moment) {
+  const double reach_m = moment.options.costmap_cells * kCostmapM;
+  const geometry::Pose2 in_odom = moment.odomFromBase(), to_odom = mapFromOdom(moment.time_s).inverse();
+  const GridPlace place = squareAround({in_odom.x_m, in_odom.y_m}, moment.options.costmap_cells, kCostmapM);
+  // The solids around the robot as the frame odom has them.
+  const Eigen::Vector2d here(moment.pose.x_m, moment.pose.y_m), reach(reach_m, reach_m);
+  std::vector<Solid> solids;
+  for (const std::uint32_t index : moment.robot.plan().near(here - reach, here + reach)) {
+    Solid solid = moment.robot.plan().solids()[index];
+    solid.centre = to_odom.apply(solid.centre);
+    solid.yaw_rad += to_odom.yaw_rad;
+    solids.push_back(solid);
+  }
+  return gridMessage(moment, "odom", occupancyOf(costsOf({}, solids, place), place));
+}
+
+std::shared_ptr<const OccupancyCells> costsOfMap(const Moment& moment) {
+  const std::optional<RasterSource> source = moment.kabam.raster();
+  if (!source || source->map_id.empty()) return nullptr;
+  return moment.costs.get(*source, [&]() -> std::shared_ptr<const OccupancyCells> {
+    const std::shared_ptr<const FloorCells> floor = moment.pictures.cells(source->spec);
+    if (!floor) return nullptr;
+    return std::make_shared<const OccupancyCells>(
+        occupancyOf(costsOf(moment.robot.plan(), {}, *floor), *floor));
+  });
+}
+
+Value globalCosts(const Moment& moment) {
+  const std::shared_ptr<const OccupancyCells> costs = costsOfMap(moment);
+  return costs ? gridMessage(moment, "map", *costs) : Value();
+}
+
+Value globalCostsUpdate(const Moment& moment) {
+  const std::shared_ptr<const OccupancyCells> costs = costsOfMap(moment);
+  Value patch = costs ? gridPatchMessage(moment, *costs) : Value();
+  if (patch.isNull()) return patch;
+  // Somebody walks beside the robot.
+  GridPlace place{static_cast<int>(patch["width"].number()), static_cast<int>(patch["height"].number()),
+                  costs->place.resolution_m, costs->place.origin_m};
+  place.origin_m += costs->place.resolution_m * Eigen::Vector2d(patch["x"].number(), patch["y"].number());
+  const Solid person{moment.pose.apply({1.5, 1.0}), {kPersonM, kPersonM}, 0, true, true};
+  patch.set("data", occupancyOf(costsOf(moment.robot.plan(), {person}, place), place).cells);
+  return patch;
+}
+
 constexpr const char* kDate = "%Y-%m-%d %H:%M:%S";
 
 Value mapList(const std::vector<KabamMap>& maps, bool archived, bool both = false) {
@@ -107,18 +173,13 @@ std::vector<TopicRow> topicTable(const Options& options) {
   constexpr bool kLatched = true, kSlow = true;
   std::vector<TopicRow> rows;
   if (!options.ros.dispatcher.there) {
-    rows = {{"/map", "nav_msgs/OccupancyGrid", 5, kLatched, kSlow,
-             [](const Moment& moment) { return moment.ros.mapMessage(moment); }},
-            {"/map_updates", "map_msgs/OccupancyGridUpdate", 1, false, kSlow,
-             [](const Moment& moment) { return moment.ros.mapUpdate(moment); }}};
+    rows = {{"/map", "nav_msgs/OccupancyGrid", 5, kLatched, kSlow, mapMessage},
+            {"/map_updates", "map_msgs/OccupancyGridUpdate", 1, false, kSlow, mapUpdate}};
   }
   const std::vector<TopicRow> usual{
-      {"/global_costmap/costmap", "nav_msgs/OccupancyGrid", 0, kLatched, kSlow,
-       [](const Moment& moment) { return moment.ros.globalCosts(moment); }},
-      {"/global_costmap/costmap_updates", "map_msgs/OccupancyGridUpdate", 1, false, kSlow,
-       [](const Moment& moment) { return moment.ros.globalCostsUpdate(moment); }},
-      {"/local_costmap/costmap", "nav_msgs/OccupancyGrid", 0.5, kLatched, kSlow,
-       [](const Moment& moment) { return moment.ros.localCosts(moment); }},
+      {"/global_costmap/costmap", "nav_msgs/OccupancyGrid", 0, kLatched, kSlow, globalCosts},
+      {"/global_costmap/costmap_updates", "map_msgs/OccupancyGridUpdate", 1, false, kSlow, globalCostsUpdate},
+      {"/local_costmap/costmap", "nav_msgs/OccupancyGrid", 0.5, kLatched, kSlow, localCosts},
       {"/plan", "nav_msgs/Path", 1, kLatched, false,
        [](const Moment& moment) { return pathMessage(moment, -1); }},
       {"/local_plan", "nav_msgs/Path", 0.2, false, false,
@@ -131,28 +192,23 @@ std::vector<TopicRow> topicTable(const Options& options) {
       {"/tf_static", "tf2_msgs/TFMessage", 0, kLatched, false, tfStaticMessage},
       {is_ros1 ? "/move_base/local_costmap/footprint" : "/local_costmap/published_footprint",
        "geometry_msgs/PolygonStamped", 0.2, false, false, footprintMessage},
-      // Where the manager tells of waypoints, nobody else needs to.
-      {"/markers", "visualization_msgs/MarkerArray", 1, kLatched, false,
-       [](const Moment& moment) {
-         return markersMessage(moment,
-                               moment.options.ros.kabam ? std::nullopt : moment.ros.kabam().current());
-       }},
+      {"/markers", "visualization_msgs/MarkerArray", 1, kLatched, false, markersMessage},
       {"/goal_pose", "geometry_msgs/PoseStamped", 1, kLatched, false, goalMessage},
       {"/initialpose", "geometry_msgs/PoseWithCovarianceStamped"},
       {"/cmd_vel", "geometry_msgs/Twist"}};
   rows.insert(rows.end(), usual.begin(), usual.end());
   if (options.ros.kabam) {
     rows.push_back({kMapInfoTopic, "kabam_msgs/MapInfo", 0, kLatched, false,
-                    [](const Moment& moment) { return mapInfoMessage(moment.ros.kabam()); }});
+                    [](const Moment& moment) { return mapInfoMessage(moment.kabam); }});
     rows.push_back({kMapListTopic, "kabam_msgs/MapList", 0, kLatched, false, [](const Moment& moment) {
-                      return mapList(moment.ros.kabam().maps(), false,
+                      return mapList(moment.kabam.maps(), false,
                                      moment.options.ros.kabam_list_holds_archived);
                     }});
     rows.push_back({kArchivedListTopic, "kabam_msgs/MapList", 0, kLatched, false,
-                    [](const Moment& moment) { return mapList(moment.ros.kabam().maps(), true); }});
+                    [](const Moment& moment) { return mapList(moment.kabam.maps(), true); }});
     rows.push_back(
         {kWaypointsTopic, "kabam_msgs/MapWaypointList", 0, kLatched, false, [](const Moment& moment) {
-           return waypointList(moment.ros.kabam().current().value_or(KabamMap{}), moment.faults);
+           return waypointList(moment.kabam.current().value_or(KabamMap{}), moment.faults);
          }});
   }
   const DispatcherOptions& dispatcher = options.ros.dispatcher;
@@ -179,18 +235,14 @@ RosRobot::RosRobot(const Options& options, const RobotState& robot, const FaultP
       topics_(topicTable(options)),
       services_(allServices()) {}
 
-const TopicRow* RosRobot::topic(std::string_view name) const {
-  const auto found =
-      std::find_if(topics_.begin(), topics_.end(), [&](const TopicRow& topic) { return topic.name == name; });
-  return found == topics_.end() ? nullptr : &*found;
-}
+const TopicRow* RosRobot::topic(std::string_view name) const { return byName(topics_, name); }
 
 std::string_view RosRobot::typeOf(const TopicRow& topic) const {
   return hasOddType(topic.name) && faults_.faults().ros.wrong_type ? "std_msgs/String" : topic.type;
 }
 
 Moment RosRobot::momentOf(const RosFaults& faults) {
-  return {*this, robot_, options_, faults, robot_.time(), robot_.robotPose()};
+  return {robot_, kabam_, pictures_, costs_, options_, faults, robot_.time(), robot_.robotPose()};
 }
 
 Value RosRobot::messageOf(std::string_view name) {
@@ -200,71 +252,6 @@ Value RosRobot::messageOf(std::string_view name) {
   const RosFaults faults = faults_.faults().ros;
   if (faults.wrong_type && hasOddType(name)) return Value::Object{{"data", "this topic is of another type"}};
   return row->make(momentOf(faults));
-}
-
-std::optional<OccupancyCells> RosRobot::mapCells() {
-  const std::optional<RasterSource> source = kabam_.raster();
-  const std::shared_ptr<const FloorCells> floor = source ? pictures_.cells(source->spec) : nullptr;
-  if (!floor) return std::nullopt;
-  const GrayPicture* const image = source->image.get();
-  return upsideDown(*floor, [&](std::size_t i) {
-    return image != nullptr ? cellOf(image->levels[i]) : cellOf(floor->cells[i]);
-  });
-}
-
-Value RosRobot::mapMessage(const Moment& moment) {
-  std::optional<OccupancyCells> cells = mapCells();
-  return cells ? gridMessage(moment, "map", std::move(*cells)) : Value();
-}
-
-Value RosRobot::mapUpdate(const Moment& moment) {
-  if (kabam_.state() != ManagerState::Mapping) return {};
-  const std::optional<OccupancyCells> cells = mapCells();
-  return cells ? gridPatchMessage(moment, *cells) : Value();
-}
-
-Value RosRobot::localCosts(const Moment& moment) const {
-  const double reach_m = options_.costmap_cells * kCostmapM;
-  const geometry::Pose2 in_odom = moment.odomFromBase(), to_odom = mapFromOdom(moment.time_s).inverse();
-  const GridPlace place = squareAround({in_odom.x_m, in_odom.y_m}, options_.costmap_cells, kCostmapM);
-  // The solids around the robot as the frame odom has them.
-  const Eigen::Vector2d here(moment.pose.x_m, moment.pose.y_m), reach(reach_m, reach_m);
-  std::vector<Solid> solids;
-  for (const std::uint32_t index : robot_.plan().near(here - reach, here + reach)) {
-    Solid solid = robot_.plan().solids()[index];
-    solid.centre = to_odom.apply(solid.centre);
-    solid.yaw_rad += to_odom.yaw_rad;
-    solids.push_back(solid);
-  }
-  return gridMessage(moment, "odom", occupancyOf(costsOf({}, solids, place), place));
-}
-
-std::shared_ptr<const OccupancyCells> RosRobot::costsOfMap() {
-  const std::optional<RasterSource> source = kabam_.raster();
-  if (!source || source->map_id.empty()) return nullptr;
-  return costs_.get(*source, [&]() -> std::shared_ptr<const OccupancyCells> {
-    const std::shared_ptr<const FloorCells> floor = pictures_.cells(source->spec);
-    if (!floor) return nullptr;
-    return std::make_shared<const OccupancyCells>(occupancyOf(costsOf(robot_.plan(), {}, *floor), *floor));
-  });
-}
-
-Value RosRobot::globalCosts(const Moment& moment) {
-  const std::shared_ptr<const OccupancyCells> costs = costsOfMap();
-  return costs ? gridMessage(moment, "map", *costs) : Value();
-}
-
-Value RosRobot::globalCostsUpdate(const Moment& moment) {
-  const std::shared_ptr<const OccupancyCells> costs = costsOfMap();
-  Value patch = costs ? gridPatchMessage(moment, *costs) : Value();
-  if (patch.isNull()) return patch;
-  // Somebody walks beside the robot.
-  GridPlace place{static_cast<int>(patch["width"].number()), static_cast<int>(patch["height"].number()),
-                  costs->place.resolution_m, costs->place.origin_m};
-  place.origin_m += costs->place.resolution_m * Eigen::Vector2d(patch["x"].number(), patch["y"].number());
-  const Solid person{moment.pose.apply({1.5, 1.0}), {kPersonM, kPersonM}, 0, true, true};
-  patch.set("data", occupancyOf(costsOf(robot_.plan(), {person}, place), place).cells);
-  return patch;
 }
 
 std::vector<Service> RosRobot::allServices() {
@@ -287,12 +274,9 @@ std::vector<Service> RosRobot::allServices() {
     const auto told = [answer](const Value& request, bool) -> Answer { return answer(request); };
     if (options_.ros.rosapi) rows.push_back({std::string("/rosapi/") + name, type, told});
   };
-  /// The first of `rows` whose name is asked for.
   const auto typeOfOne = [this](const auto& all, const std::string& name) {
-    for (const auto& row : all) {
-      if (row.name == name) return Value::Object{{"type", wireType(row)}};
-    }
-    return Value::Object{{"type", ""}};
+    const auto* const row = byName(all, name);
+    return Value::Object{{"type", row == nullptr ? std::string() : wireType(*row)}};
   };
   rosapi("topics", "rosapi/Topics", [this](const Value&) {
     Value::List names, types;
@@ -331,11 +315,7 @@ std::vector<Service> RosRobot::allServices() {
   return rows;
 }
 
-const Service* RosRobot::service(std::string_view name) const {
-  const auto found =
-      std::find_if(services_.begin(), services_.end(), [&](const Service& one) { return one.name == name; });
-  return found == services_.end() ? nullptr : &*found;
-}
+const Service* RosRobot::service(std::string_view name) const { return byName(services_, name); }
 
 unsigned RosRobot::kindsOf(std::string_view name) const {
   const Service* const known = service(name);

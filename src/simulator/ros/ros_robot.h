@@ -30,12 +30,6 @@ inline constexpr std::string_view kMapListTopic = "/map_manager/map_list";
 inline constexpr std::string_view kArchivedListTopic = "/map_manager/archived_map_list";
 inline constexpr std::string_view kWaypointsTopic = "/map_manager/current_map_waypoints";
 
-/// Occupancy, row 0 at the bottom.
-struct OccupancyCells {
-  GridPlace place;
-  Value::Int8s cells;
-};
-
 /// Safe from any thread: slow topics are made by workers.
 class RosRobot {
  public:
@@ -57,22 +51,12 @@ class RosRobot {
   const MessageTypes& types() const { return types_; }
   Dispatcher::Edits dispatcherEdits() const { return dispatcher_.edits(); }
 
-  // What topics and services are made from.
-  Value mapMessage(const Moment& moment);  // what nav_msgs/GetMap answers, too
-  Value mapUpdate(const Moment& moment);
-  Value localCosts(const Moment& moment) const;
-  Value globalCosts(const Moment& moment);
-  Value globalCostsUpdate(const Moment& moment);
-  const KabamStore& kabam() const { return kabam_; }
-
  private:
   std::vector<Service> allServices();
   const Service* service(std::string_view name) const;
   std::vector<TopicRow> presentTopics() const;
   std::string wireType(const TopicRow& topic) const;
   std::string wireType(const Service& service) const;
-  std::shared_ptr<const OccupancyCells> costsOfMap();
-  std::optional<OccupancyCells> mapCells();
   Moment momentOf(const RosFaults& faults);
 
   const Options& options_;
@@ -84,7 +68,7 @@ class RosRobot {
   const MessageTypes types_;
   const std::vector<TopicRow> topics_;
   const std::vector<Service> services_;
-  Cache<RasterSource, std::shared_ptr<const OccupancyCells>> costs_{1};
+  CostsCache costs_{1};
 };
 
 }  // namespace mapwright::simulator::ros
