@@ -76,11 +76,7 @@ struct AimdkState {
     if (!library.scene().trajectories.empty()) current = kFirstMap;
   }
 
-  AimdkMap* find(std::string_view id) {
-    const auto found =
-        std::find_if(maps.begin(), maps.end(), [&](const AimdkMap& map) { return map.id == id; });
-    return found == maps.end() ? nullptr : &*found;
-  }
+  AimdkMap* find(std::string_view id) { return byId(maps, id); }
   /// Null if there is no such map.
   MapPicturePtr picture(const AimdkMap* map) {
     return map == nullptr ? nullptr : library.pictures().picture({map->trajectory, map->resolution_m});
@@ -257,9 +253,8 @@ Value setNaviPoint(AimdkState& state, const Faults&, const Value& request) {
     number = last + 1;
     points.push_back({number});
   }
-  const auto point =
-      std::find_if(points.begin(), points.end(), [&](const AimdkPoint& one) { return one.id == number; });
-  if (point == points.end()) return refusal("1008", "There is no such point.");
+  AimdkPoint* const point = byId(points, number);
+  if (point == nullptr) return refusal("1008", "There is no such point.");
   *point = {number,
             wanted["name"].text(),
             wanted["point_type"].text(),

@@ -18,12 +18,6 @@ constexpr std::size_t kMostTopics = 256;
 constexpr std::size_t kMostQueued = 32;                           // beyond it, what comes again is left out
 constexpr std::size_t kMostQueuedBytes = std::size_t{256} << 20;  // beyond it, the reader is given up
 
-/// What a client of /ws/v2/topics asks for.
-struct TopicRequest {
-  std::vector<std::string> enable, disable;
-  std::string problem;  // a sentence when the message cannot be used; then nothing is to be done
-};
-
 /// Appends the topics that a value names; a sentence when it cannot be used.
 std::string appendTopics(const Value& value, bool lists_allowed, std::vector<std::string>& topics) {
   const auto* list = value.as<Value::List>();
@@ -40,22 +34,18 @@ std::string appendTopics(const Value& value, bool lists_allowed, std::vector<std
   return {};
 }
 
-/// Reads {"enable_topic": ..., "disable_topic": ...}; lists of topics only when `lists_allowed`.
-TopicRequest parseTopicRequest(std::string_view text, bool lists_allowed) {
-  TopicRequest request;
-  const std::optional<Value> message = fromJson(text);
-  if (!message || message->as<Value::Object>() == nullptr) {
-    request.problem = "The message is no JSON object.";
-  } else if (!message->has("enable_topic") && !message->has("disable_topic")) {
-    request.problem = "The message names neither enable_topic nor disable_topic.";
-  } else {
-    for (const auto& [key, topics] :
-         {std::pair("enable_topic", &request.enable), std::pair("disable_topic", &request.disable)}) {
-      if (request.problem.empty() && message->has(key))
-        request.problem = appendTopics((*message)[key], lists_allowed, *topics);
-    }
-  }
-  return request;
+/// Reads {"enable_topic": ..., "disable_topic": ...}; a sentence when nothing is to be done.
+std::string readTopics(std::string_view text, bool lists_allowed, std::vector<std::string>& enable,
+                       std::vector<std::string>& disable) {
+  const Value message = fromJson(text).value_or(Value());
+  if (message.as<Value::Object>() == nullptr) return "The message is no JSON object.";
+  if (!message.has("enable_topic") && !message.has("disable_topic"))
+    return "The message names neither enable_topic nor disable_topic.";
+  std::string problem;
+  if (message.has("enable_topic")) problem = appendTopics(message["enable_topic"], lists_allowed, enable);
+  if (problem.empty() && message.has("disable_topic"))
+    problem = appendTopics(message["disable_topic"], lists_allowed, disable);
+  return problem;
 }
 
 Frame errorFrame(std::string_view sentence) { return textFrame(toJson(Value::Object{{"error", sentence}})); }
@@ -102,14 +92,16 @@ class TopicSession : public WebSocketLink {
 
   void onMessage(const std::string& text, bool is_text) override {
     if (!is_text) return send(errorFrame("Binary messages are not understood."));
-    const TopicRequest request = parseTopicRequest(text, server_.robot().options.enable_topic_list);
-    if (!request.problem.empty()) return send(errorFrame(request.problem));
-    for (const std::string& topic : request.enable) {
+    std::vector<std::string> enable, disable;
+    const bool lists_allowed = server_.robot().options.enable_topic_list;
+    if (const std::string problem = readTopics(text, lists_allowed, enable, disable); !problem.empty())
+      return send(errorFrame(problem));
+    for (const std::string& topic : enable) {
       if (topics_.size() < kMostTopics) topics_.insert(topic);
     }
-    for (const std::string& topic : request.disable) topics_.erase(topic);
+    for (const std::string& topic : disable) topics_.erase(topic);
     send(textFrame(toJson(Value::Object{{"enabled_topics", Value::List(topics_.begin(), topics_.end())}})));
-    for (const std::string& topic : request.enable) {
+    for (const std::string& topic : enable) {
       const AxbotTopic* const own = axbotTopic(topic);
       if (own != nullptr && own->is(kLatched)) publish(topic);
     }

@@ -382,9 +382,8 @@ constexpr AxbotTopic kTopics[] = {{"/tracked_pose", kAsPoses, 0, trackedPose},
 std::span<const AxbotTopic> axbotTopics() { return kTopics; }
 
 const AxbotTopic* axbotTopic(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kTopics), std::end(kTopics),
-                                         [&](const AxbotTopic& topic) { return topic.name == name; });
-  return found == std::end(kTopics) ? nullptr : found;
+  const std::span<const AxbotTopic> topics = kTopics;
+  return byName(topics, name);
 }
 
 std::vector<std::string_view> publishedTopics() {
@@ -400,15 +399,9 @@ std::string messageJson(std::string_view topic, Value::Object members) {
 }
 
 std::string_view nameOf(map::SlamState state) {
-  switch (state) {
-    case map::SlamState::Slam:
-      return "slam";
-    case map::SlamState::Positioning:
-      return "positioning";
-    case map::SlamState::Invalid:
-      break;
-  }
-  return "invalid";
+  return state == map::SlamState::Slam          ? "slam"
+         : state == map::SlamState::Positioning ? "positioning"
+                                                : "invalid";
 }
 
 std::optional<std::string> liveMessage(std::string_view topic, const RobotState& state,

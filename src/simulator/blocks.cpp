@@ -273,14 +273,17 @@ void appendCorridor(Way& way, double from_x, double to_x, double y, std::vector<
   way.emplace_back(to_x, y);
 }
 
-void appendEntry(Way& way, const BlockRequest& request, double begin_x, double outside_x) {
-  if (request.entry == Port::MainLane) way.emplace_back(outside_x, kMainY);
-  way.emplace_back(begin_x, request.entry == Port::SideLane ? 0 : kMainY);
+/// The lane where the tour begins; it ends on the opposite one.
+double beginOf(const BlockRequest& request) { return request.mirrored ? kBlockWidthM - kLaneX : kLaneX; }
+
+void appendEntry(Way& way, const BlockRequest& request) {
+  if (request.entry == Port::MainLane) way.emplace_back(request.mirrored ? kBlockWidthM : 0, kMainY);
+  way.emplace_back(beginOf(request), request.entry == Port::SideLane ? 0 : kMainY);
 }
 
-void appendExit(Way& way, const BlockRequest& request, double end_x, double outside_x) {
-  way.emplace_back(end_x, request.exit == Port::SideLane ? kBlockHeightM : kMainY);
-  if (request.exit == Port::MainLane) way.emplace_back(outside_x, kMainY);
+void appendExit(Way& way, const BlockRequest& request) {
+  way.emplace_back(kBlockWidthM - beginOf(request), request.exit == Port::SideLane ? kBlockHeightM : kMainY);
+  if (request.exit == Port::MainLane) way.emplace_back(request.mirrored ? 0 : kBlockWidthM, kMainY);
 }
 
 Block drawOffice(const BlockRequest& request) {
@@ -318,13 +321,12 @@ Block drawOffice(const BlockRequest& request) {
   }
 
   Block block;
-  const double begin = request.mirrored ? kBlockWidthM - kLaneX : kLaneX, end = kBlockWidthM - begin;
-  const double before = request.mirrored ? kBlockWidthM : 0, behind = kBlockWidthM - before;
-  appendEntry(block.tour, request, begin, before);
+  const double begin = beginOf(request), end = kBlockWidthM - begin;
+  appendEntry(block.tour, request);
   appendCorridor(block.tour, begin, end, kSouthY, south);
   appendCorridor(block.tour, end, begin, kMainY, main);
   appendCorridor(block.tour, begin, end, kNorthY, north);
-  appendExit(block.tour, request, end, behind);
+  appendExit(block.tour, request);
 
   appendCorridor(block.round, kLaneX, kBlockWidthM - kLaneX, kSouthY, south);
   appendCorridor(block.round, kBlockWidthM - kLaneX, kLaneX, kMainY, main);
@@ -366,16 +368,15 @@ Block drawHall(const BlockRequest& request) {
   }
 
   Block block;
-  const double begin = request.mirrored ? kBlockWidthM - kLaneX : kLaneX, end = kBlockWidthM - begin;
-  const double before = request.mirrored ? kBlockWidthM : 0, behind = kBlockWidthM - before;
-  appendEntry(block.tour, request, begin, before);
+  const double begin = beginOf(request), end = kBlockWidthM - begin;
+  appendEntry(block.tour, request);
   double from = begin, to = end;
   for (const double y : {6.0, 14.0, 20.0, 26.0, 34.0}) {
     block.tour.emplace_back(from, y);
     block.tour.emplace_back(to, y);
     std::swap(from, to);
   }
-  appendExit(block.tour, request, end, behind);
+  appendExit(block.tour, request);
 
   for (const auto& [x, y] : {Gap{begin, 20}, Gap{begin, 6}, Gap{end, 6}, Gap{end, 20}})
     block.round.emplace_back(x, y);

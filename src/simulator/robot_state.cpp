@@ -16,14 +16,9 @@ constexpr double kLostM = 0.5, kLostRad = 0.3;  // beyond it, the lidar does not
 constexpr double kSearchS = 2;
 constexpr double kAdjustableM = 1.5, kAdjustableRad = 0.8;  // up to here, a given pose can be put right
 
-/// How a loop closure moves a submap: rigidly in the plane, turning about the submap's own origin.
-struct Correction {
-  double dx = 0, dy = 0, dyaw = 0;
-};
-
-/// The frozen map moves by centimetres, the live trajectory by up to half a metre and a degree and a half;
-/// neighbours move alike.
-Correction correctionOf(std::uint64_t seed, std::uint64_t closures, map::SubmapId id) {
+/// How a loop closure moves a submap, which turns about its own origin. The frozen map moves by centimetres,
+/// the live trajectory by up to half a metre and a degree and a half; neighbours move alike.
+geometry::Pose2 correctionOf(std::uint64_t seed, std::uint64_t closures, map::SubmapId id) {
   if (closures == 0) return {};
   Dice dice(hashOf(seed, 23, closures, id.trajectory));
   const double reach = id.trajectory == 1 ? 0.34 : id.trajectory == 0 ? 0.05 : 0.15;
@@ -114,10 +109,10 @@ geometry::Pose2 RobotState::anchorOf(const Trajectory& trajectory, int index) co
 
 geometry::Pose3 RobotState::corrected(const geometry::Pose3& pose, map::SubmapId id) const {
   if (closures_ == 0) return pose;
-  const Correction correction = correctionOf(seed_, closures_, id);
-  const Eigen::Quaterniond q = Eigen::AngleAxisd(correction.dyaw, Eigen::Vector3d::UnitZ()) *
+  const geometry::Pose2 correction = correctionOf(seed_, closures_, id);
+  const Eigen::Quaterniond q = Eigen::AngleAxisd(correction.yaw_rad, Eigen::Vector3d::UnitZ()) *
                                Eigen::Quaterniond(pose.qw, pose.qx, pose.qy, pose.qz);
-  return {pose.x + correction.dx, pose.y + correction.dy, pose.z, q.x(), q.y(), q.z(), q.w()};
+  return {pose.x + correction.x_m, pose.y + correction.y_m, pose.z, q.x(), q.y(), q.z(), q.w()};
 }
 
 map::SubmapList RobotState::list() const {
@@ -172,11 +167,11 @@ geometry::Pose2 RobotState::truePoseAhead(double metres) const {
   const int newest = submapsOf(*live, live->scansAt(sessionNow())).second - 1;
   geometry::Pose2 pose = live->drive.at(kSpeedMPerS * now() + metres);
   const geometry::Pose2 origin = anchorOf(*live, newest);
-  const Correction correction = correctionOf(seed_, closures_, {1, newest});
+  const geometry::Pose2 correction = correctionOf(seed_, closures_, {1, newest});
   // The robot is where its newest submap says it is.
-  const geometry::Pose2 turned = geometry::Pose2{0, 0, correction.dyaw} *
+  const geometry::Pose2 turned = geometry::Pose2{0, 0, correction.yaw_rad} *
                                  geometry::Pose2{pose.x_m - origin.x_m, pose.y_m - origin.y_m, pose.yaw_rad};
-  return {origin.x_m + correction.dx + turned.x_m, origin.y_m + correction.dy + turned.y_m, turned.yaw_rad};
+  return {origin.x_m + correction.x_m + turned.x_m, origin.y_m + correction.y_m + turned.y_m, turned.yaw_rad};
 }
 
 SubmapSource RobotState::describe(const Trajectory& trajectory, int index, int scans) const {

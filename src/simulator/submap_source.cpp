@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "ros_messages/slam.pb.h"
 #include "simulator/encoding.h"
 #include "simulator/noise.h"
 
@@ -23,6 +22,12 @@ Isometry3d planar(const geometry::Pose2& pose) {
   transform.linear() = AngleAxisd(pose.yaw_rad, Vector3d::UnitZ()).toRotationMatrix();
   transform.translation() = Vector3d(pose.x_m, pose.y_m, 0);
   return transform;
+}
+
+geometry::Pose3 poseOf(const Isometry3d& transform) {
+  const Eigen::Quaterniond q(transform.linear());
+  const Vector3d t = transform.translation();
+  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
 Packing packingOf(map::SubmapId id) {
@@ -56,15 +61,7 @@ void addTexture(ros_messages::slam::SubmapQueryV2Response& response, const Subma
   texture.set_z_level(z_level);
   const Isometry3d world_from_submap = geometry::toIsometry(source.pose).value_or(Isometry3d::Identity());
   const Isometry3d slice = world_from_submap.inverse() * planar(grid.world_from_slice);
-  const Eigen::Quaterniond q(slice.linear());
-  ros_messages::Pose& pose = *texture.mutable_slice_pose();
-  pose.set_x(slice.translation().x());
-  pose.set_y(slice.translation().y());
-  pose.set_z(slice.translation().z());
-  pose.set_qx(q.x());
-  pose.set_qy(q.y());
-  pose.set_qz(q.z());
-  pose.set_qw(q.w());
+  *texture.mutable_slice_pose() = messageOf(poseOf(slice));
 }
 
 }  // namespace
@@ -79,9 +76,19 @@ geometry::Pose3 nominalPose(const geometry::Pose2& anchor, map::SubmapId id, std
     transform.rotate(AngleAxisd(dice.uniform(-0.3, 0.3), Vector3d::UnitY()));
     transform.rotate(AngleAxisd(dice.uniform(-0.3, 0.3), Vector3d::UnitX()));
   }
-  const Eigen::Quaterniond q(transform.linear());
-  const Vector3d t = transform.translation();
-  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+  return poseOf(transform);
+}
+
+ros_messages::Pose messageOf(const geometry::Pose3& pose) {
+  ros_messages::Pose wire;
+  wire.set_x(pose.x);
+  wire.set_y(pose.y);
+  wire.set_z(pose.z);
+  wire.set_qx(pose.qx);
+  wire.set_qy(pose.qy);
+  wire.set_qz(pose.qz);
+  wire.set_qw(pose.qw);
+  return wire;
 }
 
 std::string makeSubmapBody(const FloorPlan& plan, const SubmapSource& source) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map/submap.h"
+#include "ros_messages/slam.pb.h"
 #include "simulator/cache.h"
 #include "simulator/floor_plan.h"
 #include "simulator/lidar.h"
@@ -30,6 +31,8 @@ struct SubmapSource {
 /// The pose in the list for a submap that begins at `anchor`. Of every four submaps one is tilted and lifted
 /// as 3D SLAM leaves them, and one is turned against its texture.
 geometry::Pose3 nominalPose(const geometry::Pose2& anchor, map::SubmapId id, std::uint64_t seed);
+
+ros_messages::Pose messageOf(const geometry::Pose3& pose);
 
 /// The serialised SubmapQueryV2Response. Pure; about a millisecond.
 std::string makeSubmapBody(const FloorPlan& plan, const SubmapSource& source);

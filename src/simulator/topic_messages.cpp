@@ -37,15 +37,9 @@ std::string binaryMessage(std::string_view topic, const ros_messages::RosMessage
 }
 
 ros_messages::slam::SlamState wireOf(map::SlamState state) {
-  switch (state) {
-    case map::SlamState::Slam:
-      return ros_messages::slam::SLAM_STATE_SLAM;
-    case map::SlamState::Positioning:
-      return ros_messages::slam::SLAM_STATE_POSITIONING;
-    case map::SlamState::Invalid:
-      break;
-  }
-  return ros_messages::slam::SLAM_STATE_INVALID;
+  return state == map::SlamState::Slam          ? ros_messages::slam::SLAM_STATE_SLAM
+         : state == map::SlamState::Positioning ? ros_messages::slam::SLAM_STATE_POSITIONING
+                                                : ros_messages::slam::SLAM_STATE_INVALID;
 }
 
 std::string submapListBinary(const map::SubmapList& list) {
@@ -59,14 +53,7 @@ std::string submapListBinary(const map::SubmapList& list) {
     row.set_trajectory_id(entry.id.trajectory);
     row.set_submap_index(entry.id.index);
     row.set_submap_version(entry.version);
-    ros_messages::Pose& pose = *row.mutable_pose();
-    pose.set_x(entry.pose.x);
-    pose.set_y(entry.pose.y);
-    pose.set_z(entry.pose.z);
-    pose.set_qx(entry.pose.qx);
-    pose.set_qy(entry.pose.qy);
-    pose.set_qz(entry.pose.qz);
-    pose.set_qw(entry.pose.qw);
+    *row.mutable_pose() = messageOf(entry.pose);
     row.set_is_frozen(entry.is_frozen);
     row.set_is_incremental_submap(entry.is_incremental);
     row.set_is_nearby_map(entry.is_nearby);
@@ -95,16 +82,10 @@ void addBadEntries(map::SubmapList& list) {
   }
 }
 
-std::string header(std::string_view topic, double time_s) {
-  std::string out = "{\"topic\":";
-  appendJsonText(out, topic);
-  // Milliseconds here, as these robots have it; seconds in most other topics.
-  out += ",\"stamp\":" + std::to_string(std::llround(1000 * stampOf(time_s)));
-  return out;
-}
-
 std::string pointsJson(const std::vector<LidarPoint>& points, double time_s) {
-  std::string out = header(kMatchedPoints, time_s);
+  // Milliseconds here, as these robots have it; seconds in most other topics.
+  std::string out =
+      R"({"topic":"/scan_matched_points2","stamp":)" + std::to_string(std::llround(1000 * stampOf(time_s)));
   out.reserve(out.size() + points.size() * 24);
   out += ",\"points\":[";
   bool first = true;
@@ -128,13 +109,17 @@ std::string cloudJson(std::string_view topic, const char* fields, std::string by
                              {"data", Value::Bytes{std::move(bytes)}}});
 }
 
+void appendPlace(std::string& bytes, const LidarPoint& point) {
+  appendNumber(bytes, static_cast<float>(point.at_m.x()));
+  appendNumber(bytes, static_cast<float>(point.at_m.y()));
+  appendNumber(bytes, point.z_m);
+}
+
 std::string packedJson(const std::vector<LidarPoint>& points, double time_s) {
   std::string bytes;
   bytes.reserve(points.size() * 16);
   for (const LidarPoint& point : points) {
-    appendNumber(bytes, static_cast<float>(point.at_m.x()));
-    appendNumber(bytes, static_cast<float>(point.at_m.y()));
-    appendNumber(bytes, point.z_m);
+    appendPlace(bytes, point);
     appendNumber(bytes, static_cast<float>(point.intensity / 255.0));
   }
   return cloudJson(
@@ -150,9 +135,7 @@ std::string semanticJson(const std::vector<LidarPoint>& points, double time_s) {
   bytes.reserve(points.size() * 15);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool moves = i % 4 == 0;
-    appendNumber(bytes, static_cast<float>(points[i].at_m.x()));
-    appendNumber(bytes, static_cast<float>(points[i].at_m.y()));
-    appendNumber(bytes, points[i].z_m);
+    appendPlace(bytes, points[i]);
     bytes += static_cast<char>(moves ? 90 : 240);
     bytes += static_cast<char>(moves ? 64 : 0);
     bytes += static_cast<char>(moves ? 80 : 0);
@@ -276,22 +259,12 @@ std::string scanMessage(const RobotState& state, int points, std::uint32_t seed)
 
 Frame TopicMessages::listMessage(bool binary, bool bad_entries) {
   const std::lock_guard lock(list_mutex_);
-  const ListStamp stamp = state_.stamp();
-  const std::string uuid = state_.uuid();
-  if (stamp != stamp_ || uuid != uuid_ || bad_entries != bad_entries_) {
-    json_ = binary_ = {};
-    stamp_ = stamp;
-    uuid_ = uuid;
-    bad_entries_ = bad_entries;
-  }
-  Frame& frame = binary ? binary_ : json_;
-  if (!frame.bytes) {
+  return lists_.get({state_.stamp(), state_.uuid(), binary, bad_entries}, [&] {
     map::SubmapList list = state_.list();
     if (bad_entries) addBadEntries(list);
-    frame = {std::make_shared<const std::string>(binary ? submapListBinary(list) : submapListJson(list)),
-             binary};
-  }
-  return frame;
+    return Frame{std::make_shared<const std::string>(binary ? submapListBinary(list) : submapListJson(list)),
+                 binary};
+  });
 }
 
 Frame TopicMessages::pointsMessage(std::string_view topic, bool binary) {

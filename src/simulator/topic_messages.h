@@ -31,7 +31,8 @@ class TopicMessages {
   std::optional<Frame> messageOf(std::string_view topic, bool binary, bool bad_entries);
 
  private:
-  using ScanKey = std::tuple<std::string, bool, std::int64_t>;  // topic, binary, number of the scan
+  using ListKey = std::tuple<ListStamp, std::string, bool, bool>;  // stamp, uuid, binary, bad entries
+  using ScanKey = std::tuple<std::string, bool, std::int64_t>;     // topic, binary, number of the scan
 
   Frame listMessage(bool binary, bool bad_entries);
   Frame pointsMessage(std::string_view topic, bool binary);
@@ -47,10 +48,7 @@ class TopicMessages {
   const FaultPlan& faults_;
   const Options& options_;
   std::mutex list_mutex_, scan_mutex_;
-  ListStamp stamp_;
-  bool bad_entries_ = false;
-  std::optional<std::string> uuid_;
-  Frame json_, binary_;
+  Cache<ListKey, Frame> lists_{2};
   Cache<ScanKey, Frame> scans_{64};
   Cache<std::string, MapPicturePtr> made_{8};  // pictures by what they were made from
 };
