@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "ros_messages/slam.pb.h"
 #include "simulator/axbot_topics.h"
@@ -154,8 +155,9 @@ HttpAnswer sensors(const Robot&, const Request&) {
 }
 
 HttpAnswer topicNames(const Robot&, const Request&) {
-  const std::vector<std::string_view> topics = publishedTopics();
-  return valueAnswer(200, Value::Object{{"names", Value::List(topics.begin(), topics.end())}});
+  std::set<std::string_view> names;
+  for (const AxbotTopic& topic : axbotTopics()) names.insert(topic.name);
+  return valueAnswer(200, Value::Object{{"names", Value::List(names.begin(), names.end())}});
 }
 
 HttpAnswer setPose(const Robot& robot, const Request& request) {

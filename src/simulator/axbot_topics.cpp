@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "simulator/value.h"
 
@@ -384,13 +385,6 @@ std::span<const AxbotTopic> axbotTopics() { return kTopics; }
 const AxbotTopic* axbotTopic(std::string_view name) {
   const std::span<const AxbotTopic> topics = kTopics;
   return byName(topics, name);
-}
-
-std::vector<std::string_view> publishedTopics() {
-  std::vector<std::string_view> names;
-  for (const AxbotTopic& topic : kTopics) names.push_back(topic.name);
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 std::string messageJson(std::string_view topic, Value::Object members) {

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "map/submap.h"
 #include "simulator/maps.h"
@@ -44,8 +43,6 @@ struct AxbotTopic {
 std::span<const AxbotTopic> axbotTopics();
 /// Null for a topic that this robot does not have.
 const AxbotTopic* axbotTopic(std::string_view name);
-/// The names of all, sorted.
-std::vector<std::string_view> publishedTopics();
 
 /// {"topic":"...",...}
 std::string messageJson(std::string_view topic, Value::Object members);

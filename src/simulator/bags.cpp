@@ -190,10 +190,11 @@ class BagRecording {
       return ticks_.begin() + static_cast<std::ptrdiff_t>(ticks_.size() * fifths / 5);
     };
     const std::size_t middle = ticks_.size() / 2;
-    for (std::size_t i = middle; quirk == BagQuirk::ClockSetBack && i < ticks_.size(); ++i)
-      ticks_[i].stamp_ms -= kSetBackMs;
-    for (Tick& tick : ticks_) {
-      if (quirk == BagQuirk::SameStamps) tick.stamp_ms -= tick.stamp_ms % 500;
+    if (quirk == BagQuirk::ClockSetBack) {
+      for (std::size_t i = middle; i < ticks_.size(); ++i) ticks_[i].stamp_ms -= kSetBackMs;
+    }
+    if (quirk == BagQuirk::SameStamps) {
+      for (Tick& tick : ticks_) tick.stamp_ms -= tick.stamp_ms % 500;
     }
     if (quirk == BagQuirk::Gap) ticks_.erase(at(2), at(3));
     if (quirk == BagQuirk::EndsLate) silent_s_ = kSilentS;
@@ -216,7 +217,7 @@ class BagRecording {
     std::string text = contentAt(tick);
     text.pop_back();  // the closing brace
     text += ",\"__stamp\":";
-    appendJsonFixed(text, static_cast<double>(tick.stamp_ms) / 1000, 3);
+    appendJsonNumber(text, static_cast<double>(tick.stamp_ms) / 1000, 3);
     return text + (recorded.latched ? ",\"__latched\":true}" : ",\"__latched\":false}");
   }
 

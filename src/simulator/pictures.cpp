@@ -133,8 +133,8 @@ void addSolid(GrayPicture& picture, const GridPlace& place, const Solid& solid,
   }
 }
 
-}  // namespace
-
+/// What the scans of `spec.trajectory` saw. No cells if there is no such trajectory or no scan. Takes about a
+/// tenth of a second for an office at 5 cm.
 FloorCells drawFloor(const Scene& scene, const PictureSpec& spec) {
   FloorCells floor;
   const Trajectory* trajectory = scene.find(spec.trajectory);
@@ -168,6 +168,8 @@ FloorCells drawFloor(const Scene& scene, const PictureSpec& spec) {
   fillSpecks(floor);
   return floor;
 }
+
+}  // namespace
 
 MapPicturePtr placedPicture(const GridPlace& place, std::string png) {
   MapPicture picture{place, nullptr, contentHash(png)};

@@ -50,10 +50,6 @@ struct PictureSpec {
   auto operator<=>(const PictureSpec&) const = default;
 };
 
-/// What the scans of `spec.trajectory` saw. No cells if there is no such trajectory or no scan. Takes about a
-/// tenth of a second for an office at 5 cm.
-FloorCells drawFloor(const Scene& scene, const PictureSpec& spec);
-
 /// At most 160 pixels wide and high; thin walls stay visible. `place` is that of the picture.
 MapPicturePtr thumbnailOf(const GridPlace& place, const GrayPicture& picture);
 

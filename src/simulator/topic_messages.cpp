@@ -92,11 +92,11 @@ std::string pointsJson(const std::vector<LidarPoint>& points, double time_s) {
   for (const LidarPoint& point : points) {
     out += first ? "[" : ",[";
     first = false;
-    appendJsonFixed(out, point.at_m.x(), 3);
+    appendJsonNumber(out, point.at_m.x(), 3);
     out += ',';
-    appendJsonFixed(out, point.at_m.y(), 3);
+    appendJsonNumber(out, point.at_m.y(), 3);
     out += ',';
-    appendJsonFixed(out, static_cast<double>(point.z_m), 2);
+    appendJsonNumber(out, static_cast<double>(point.z_m), 2);
     out += ']';
   }
   return out + "]}";

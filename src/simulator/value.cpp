@@ -151,23 +151,11 @@ QByteArray viewed(std::string_view bytes) {
   return QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size()));
 }
 
-/// null if it is not finite.
-template <typename... Format>
-void appendFinite(std::string& out, double number, Format... format) {
-  std::array<char, 400> buffer;
-  if (std::isfinite(number)) {
-    out.append(buffer.data(),
-               std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, format...).ptr);
-  } else {
-    out += "null";
-  }
-}
-
 void appendPoint(std::string& out, const Eigen::Vector2d& point) {
   out += '[';
-  appendJsonFixed(out, point.x(), 3);
+  appendJsonNumber(out, point.x(), 3);
   out += ',';
-  appendJsonFixed(out, point.y(), 3);
+  appendJsonNumber(out, point.y(), 3);
   out += ']';
 }
 
@@ -222,7 +210,7 @@ bool Value::flag() const {
 
 Value fixed(double number, int digits) {
   Value::Json json;
-  appendJsonFixed(json.text, number, digits);
+  appendJsonNumber(json.text, number, digits);
   return {std::move(json)};
 }
 
@@ -278,10 +266,16 @@ void appendJsonText(std::string& out, std::string_view text, RosWriter writer) {
   out += '"';
 }
 
-void appendJsonNumber(std::string& out, double number) { appendFinite(out, number); }
-
-void appendJsonFixed(std::string& out, double number, int digits) {
-  appendFinite(out, number, std::chars_format::fixed, digits);
+void appendJsonNumber(std::string& out, double number, int digits) {
+  if (!std::isfinite(number)) {
+    out += "null";
+    return;
+  }
+  std::array<char, 400> buffer;
+  char *const from = buffer.data(), *const to = from + buffer.size();
+  const auto end = digits < 0 ? std::to_chars(from, to, number)
+                              : std::to_chars(from, to, number, std::chars_format::fixed, digits);
+  out.append(from, end.ptr);
 }
 
 std::string toJson(const Value& value, RosWriter writer) {

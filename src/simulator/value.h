@@ -106,10 +106,9 @@ std::optional<std::string> toCbor(const Value& value);
 
 // JSON piece by piece, for what is too large to be a value.
 void appendJsonText(std::string& out, std::string_view text, RosWriter writer = RosWriter::Plain);
-/// Appends the shortest text that reads back as `number`; null when it is not finite.
-void appendJsonNumber(std::string& out, double number);
-/// Appends `number` with `digits` decimals; null if it is not finite.
-void appendJsonFixed(std::string& out, double number, int digits);
+/// Appends `number` with so many decimals, or the shortest text that reads back as it; null if it is not
+/// finite.
+void appendJsonNumber(std::string& out, double number, int digits = -1);
 
 std::string base64(std::string_view bytes);
 /// nullopt when it is no base64.

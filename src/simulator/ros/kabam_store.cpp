@@ -20,10 +20,7 @@ enum class SaveResult { Saved = 0, Invalid = 1, NameExists = 2, Failed = 3 };
 enum class LoadResult { Loaded = 0, NoSuchMap = 1, AlreadyLoaded = 2, Invalid = 3 };
 enum class UpdateResult { Updated = 0, Deleted = 1, NoSuchMap = 2, Invalid = 3 };
 
-template <typename Result>
-Value resultOf(Result result) {
-  return Value::Object{{"result", static_cast<int>(result)}};
-}
+Value resultOf(auto result) { return Value::Object{{"result", static_cast<int>(result)}}; }
 
 Value triggered(bool done, std::string_view verb, std::string_view past) {
   return Value::Object{{"success", done},
