@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "robot/faults.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::sentences {
@@ -117,19 +118,20 @@ QString absenceReason(Capability capability, const Absence& absence) {
           "It is not known yet whether this robot can be edited: it has not answered that question. It is "
           "asked again.");
     case Absence::Reason::NotYetHere:
-      return nothing(capability) + QLatin1Char(' ') + AbsenceText::tr("Not supported in this version yet.");
+      return words::paragraph({nothing(capability), AbsenceText::tr("Not supported in this version yet.")});
     case Absence::Reason::FirmwareLacks:
-      return nothing(capability) + QLatin1Char(' ') +
-             AbsenceText::tr("Its firmware does not support this request (%1).").arg(argument(absence));
+      return words::paragraph(
+          {nothing(capability),
+           AbsenceText::tr("Its firmware does not support this request (%1).").arg(argument(absence))});
     case Absence::Reason::NoService:
       if (capability == Capability::Live)
         return AbsenceText::tr(
                    "Its interface does not report its pose. If a rosbridge server runs on it, add %1 to its "
                    "address.")
             .arg(argument(absence));
-      return nothing(capability) + QLatin1Char(' ') +
-             AbsenceText::tr("%1 is not running on it, or cannot be reached from here.")
-                 .arg(argument(absence));
+      return words::paragraph(
+          {nothing(capability), AbsenceText::tr("%1 is not running on it, or cannot be reached from here.")
+                                    .arg(argument(absence))});
     case Absence::Reason::LocalFiles:
       // A replay is described by its name: replay::ReplayRobot.
       if (!absence.arguments.empty())
@@ -179,7 +181,7 @@ QString limitsOf(robot::Robot& robot) {
         "nothing "
         "can go wrong.");
   limits.removeDuplicates();
-  return limits.join(QLatin1Char(' '));
+  return words::paragraph(limits);
 }
 
 Fault lackOf(Capability capability, const Absence& absence) {

@@ -6,7 +6,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/http_status.h"
 #include "words/listed.h"
-#include "words/sentences.h"
+#include "words/qt_plain.h"
 #include "words/text.h"
 
 namespace mapwright::sentences {
@@ -137,7 +137,7 @@ QString notOffered(const Failure& failure) {
 QString textOf(const Failure& failure) {
   switch (failure.reason) {
     case FailureReason::Unfit:
-      return text(words::asSentence(toldBy(failure)));
+      return words::asSentence(text(toldBy(failure)));
     case FailureReason::NotThere:
       return notThere(failure);
     case FailureReason::NotOffered:
@@ -149,7 +149,7 @@ QString textOf(const Failure& failure) {
     case FailureReason::Told:
       break;
   }
-  return text(words::because(opening(failure).toStdString(), reasonOf(failure).toStdString()));
+  return words::because(opening(failure), reasonOf(failure));
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ std::string failureReason(const map::Failure& failure) {
                 : told                                ? reasonOf(failure)
                                                       : textOf(failure);
   if (why.isEmpty()) why = kindOf(failure);
-  return words::asSentence(why.toStdString());
+  return words::asSentence(why).toStdString();
 }
 
 }  // namespace mapwright::sentences

@@ -11,6 +11,7 @@
 #include "sentences/plural.h"
 #include "words/decimal.h"
 #include "words/listed.h"
+#include "words/qt_plain.h"
 #include "words/sentences.h"
 
 namespace mapwright::sentences {
@@ -72,32 +73,35 @@ QString lackWords(const Fault& fault) {
   return absenceReason(robot::Capability(number(0)), absence);
 }
 
-std::string causesOf(const Fault& fault) { return wordsOf(fault.because).toStdString(); }
+/// What systems say ("Permission denied") is known in other languages under the name that Qt has for it.
+QString saidWords(const QString& said) {
+  return QCoreApplication::translate("QIODevice", said.toUtf8().constData());
+}
 
 QString withCauses(const Fault& fault, const QString& text) {
   if (fault.because.empty()) return text;
-  const std::string causes = causesOf(fault);
+  const QString causes = wordsOf(fault.because);
   switch (fault.code.causes) {
     case FaultCode::Causes::AfterColon:
       break;
     case FaultCode::Causes::Continued:
-      return words::about(text, QString::fromStdString(causes));
+      return words::about(text, causes);
     case FaultCode::Causes::Capital:
-      return QString::fromStdString(words::because(text.toStdString(), words::asSentence(causes)));
+      return words::because(text, words::asSentence(causes));
     case FaultCode::Causes::Sentence:
-      return text + QLatin1Char(' ') + QString::fromStdString(words::asSentence(causes));
+      return words::paragraph({text, words::asSentence(causes)});
     case FaultCode::Causes::Alone:
-      return QString::fromStdString(words::asSentence(causes));
+      return words::asSentence(causes);
   }
-  return QString::fromStdString(words::because(text.toStdString(), causes));
+  return words::because(text, causes);
 }
 
 /// With what follows from it.
 QString ended(const Fault& fault, const QString& whole) {
   if (fault.then == Consequence::None || whole.isEmpty()) return whole + consequenceOf(fault.then);
-  QString ended = QString::fromStdString(words::asSentence(whole.toStdString()));
+  QString ended = words::asSentence(whole);
   ended[0] = whole[0];  // it may be a name
-  return ended + QLatin1Char(' ') + consequenceOf(fault.then);
+  return words::paragraph({ended, consequenceOf(fault.then)});
 }
 
 }  // namespace
@@ -132,11 +136,13 @@ QString consequenceOf(Consequence consequence) {
 
 QString wordsOf(const Fault& fault) {
   if (fault.code == robot::fault::CapabilityLacking) return ended(fault, withCauses(fault, lackWords(fault)));
+  if (fault.code == fault::Said && fault.arguments.size() == 1)
+    return ended(fault, withCauses(fault, saidWords(textOf(fault.arguments.front()))));
   const QString text = QCoreApplication::translate(fault.code.room, fault.code.text, nullptr, countIn(fault));
   if (fault.because.empty() || !text.contains(placeholderAfter(fault.arguments)))
     return ended(fault, withCauses(fault, filled(text, fault.arguments)));
   std::vector<FaultArgument> arguments = fault.arguments;
-  arguments.emplace_back(words::withoutStop(causesOf(fault)));
+  arguments.emplace_back(words::withoutStop(wordsOf(fault.because).toStdString()));
   return ended(fault, filled(text, arguments));
 }
 
@@ -147,14 +153,15 @@ QString wordsOf(const std::vector<Fault>& faults) {
 }
 
 QString sentenceOf(const Fault& fault) {
-  const std::string words = wordsOf(fault).toStdString();
-  std::string sentence = words::asSentence(words);
+  const QString words = wordsOf(fault);
+  QString sentence = words::asSentence(words);
   // A name at its beginning (of a file) is not capitalised.
   const auto* const name =
       fault.arguments.empty() ? nullptr : std::get_if<std::string>(&fault.arguments.front());
-  const bool begins = name && !name->empty() && words.starts_with(*name) && words.size() > name->size();
-  if (begins && fault.code != fault::Said && !sentence.empty()) sentence[0] = (*name)[0];
-  return QString::fromStdString(sentence);
+  const QString called = name ? QString::fromStdString(*name) : QString();
+  const bool begins = !called.isEmpty() && words.startsWith(called) && words.size() > called.size();
+  if (begins && fault.code != fault::Said && !sentence.isEmpty()) sentence[0] = called[0];
+  return sentence;
 }
 
 }  // namespace mapwright::sentences

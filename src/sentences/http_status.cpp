@@ -37,7 +37,9 @@ constexpr StatusName kNames[] = {
 QString statusWords(int status) {
   for (const StatusName& known : kNames) {
     if (known.status == status)
-      return QStringLiteral("%1 (%2)").arg(status).arg(QCoreApplication::translate("HttpStatus", known.name));
+      return QCoreApplication::translate("HttpStatus", "%1 (%2)")
+          .arg(status)
+          .arg(QCoreApplication::translate("HttpStatus", known.name));
   }
   return QString::number(status);
 }

@@ -1,7 +1,8 @@
-// words/plain.h for QString.
+// words/plain.h and words/sentences.h for QString.
 #pragma once
 
 #include <QByteArray>
+#include <QCoreApplication>
 #include <QString>
 
 #include "words/plain.h"
@@ -21,8 +22,14 @@ inline QString plainName(const std::string& name) { return plainName(QString::fr
 inline QByteArray escapedJson(const QByteArray& json) {
   return QByteArray::fromStdString(escapedJson(std::string_view(json.constData(), std::size_t(json.size()))));
 }
+inline bool chineseIsSpoken() {
+  return QCoreApplication::translate("Punctuation", ".", "the end of a sentence") == QStringLiteral("。");
+}
 inline QString asSentence(const QString& words) {
-  return QString::fromStdString(asSentence(words.toStdString()));
+  return QString::fromStdString(asSentence(words.toStdString(), chineseIsSpoken()));
+}
+inline QString because(const QString& what, const QString& reason) {
+  return QString::fromStdString(because(what.toStdString(), reason.toStdString(), chineseIsSpoken()));
 }
 
 }  // namespace mapwright::words

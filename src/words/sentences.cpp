@@ -25,9 +25,10 @@ bool hasEnd(std::string_view words) {
   return false;
 }
 
-/// Its last letter is Chinese, and not only that of a name: "始于 07:36" is. In UTF-8 these characters have
+/// Where Chinese is spoken, every sentence with Chinese in it: "无法读取 a.png" ends with a name. Elsewhere
+/// its last letter is Chinese, and not only that of a name: "始于 07:36" is. In UTF-8 these characters have
 /// three bytes.
-bool isChinese(std::string_view words) {
+bool isChinese(std::string_view words, bool spoken) {
   std::size_t chinese = 0, latin = 0;
   bool last = false;
   for (const char each : words) {
@@ -38,10 +39,12 @@ bool isChinese(std::string_view words) {
     latin += letter;
     if (letter || byte >= 0xc0) last = begins;
   }
-  return last && chinese > latin;
+  return chinese > 0 && (spoken || (last && chinese > latin));
 }
 
-void stop(std::string& words) { words += isChinese(words) ? kChineseStop : std::string_view("."); }
+void stop(std::string& words, bool chinese) {
+  words += isChinese(words, chinese) ? kChineseStop : std::string_view(".");
+}
 
 }  // namespace
 
@@ -54,7 +57,7 @@ std::string withoutStop(std::string words) {
   return words;
 }
 
-std::string asSentence(std::string words) {
+std::string asSentence(std::string words, bool chinese) {
   trimEnd(words);
   const std::size_t first = words.find_first_not_of(" \n\r\t");
   if (first == std::string::npos) return {};
@@ -62,23 +65,23 @@ std::string asSentence(std::string words) {
   // "reason.." is one sentence; "reason..." is left open on purpose.
   if (words.ends_with("..") && !words.ends_with("...")) words = withoutStop(std::move(words));
   if (words.empty()) return words;
-  if (!hasEnd(words)) stop(words);
+  if (!hasEnd(words)) stop(words, chinese);
   // A path stays as it is.
   const bool path = words.substr(0, words.find(' ')).find('/') != std::string::npos;
   if (!path && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
   return words;
 }
 
-std::string because(std::string what, std::string reason) {
+std::string because(std::string what, std::string reason, bool chinese) {
   what = withoutStop(std::move(what));
   while (what.ends_with(':')) what = withoutStop(what.substr(0, what.size() - 1));
   reason = withoutStop(std::move(reason));
   if (reason.empty()) {
-    stop(what);
+    stop(what, chinese);
     return what;
   }
-  what += (isChinese(what) ? "：" : ": ") + reason;
-  if (!hasEnd(what)) stop(what);
+  what += (isChinese(what, chinese) ? "：" : ": ") + reason;
+  if (!hasEnd(what)) stop(what, chinese);
   return what;
 }
 

@@ -6,6 +6,7 @@
 
 #include "test_program.h"
 #include "words/decimal.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/qt_versions.h"
 #include "words/shortest.h"
@@ -146,6 +147,28 @@ class WordsTest : public QObject {
     QFETCH(QString, what);
     QFETCH(QString, reason);
     QTEST(QString::fromStdString(words::because(what.toStdString(), reason.toStdString())), "sentence");
+  }
+
+  // It may end with a name.
+  void whereChineseIsSpokenASentenceWithChineseIsOne() {
+    QCOMPARE(words::because("无法读取 a.png", "它不是 PNG", true),
+             std::string("无法读取 a.png：它不是 PNG。"));
+    QCOMPARE(words::asSentence("it answers 404", true), std::string("It answers 404."));
+  }
+
+  void sentencesFollowEachOther() {
+    QCOMPARE(words::paragraph({QStringLiteral("It is lost."), QString(), QStringLiteral("It comes back.")}),
+             QStringLiteral("It is lost. It comes back."));
+    QCOMPARE(words::paragraph({QStringLiteral("已丢失。"), QStringLiteral("会回来。")}),
+             QStringLiteral("已丢失。会回来。"));
+    QCOMPARE(words::paragraph({}), QString());
+  }
+
+  void anAddressWithAColonGetsNoSecondOne() {
+    QCOMPARE(words::about(QStringLiteral("demo:"), QStringLiteral("No map.")),
+             QStringLiteral("demo: No map."));
+    QCOMPARE(words::about(QStringLiteral("a.yaml"), QStringLiteral("No map.")),
+             QStringLiteral("a.yaml: No map."));
   }
 
   // With Qt 6.4 and 6.8.

@@ -1,5 +1,6 @@
-// What Qt's own buttons, menus and dialogs say, for translators: these windows must speak one language also
-// where Qt's translations (Debian's qt6-translations-l10n) are not installed. Qt looks these texts up itself.
+// What Qt's own buttons, menus, dialogs and files say, for translators: these windows must speak one language
+// also where Qt's translations (Debian's qt6-translations-l10n) are not installed. Qt looks these texts up
+// itself.
 #include <QtGlobal>
 
 namespace mapwright::ui {
@@ -112,6 +113,20 @@ const char* const kTextsOfQt[] = {
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "%1 File"),
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Unknown"),
+    QT_TRANSLATE_NOOP("QIODevice", "No such file or directory"),
+    QT_TRANSLATE_NOOP("QIODevice", "Permission denied"),
+    QT_TRANSLATE_NOOP("QIODevice", "No space left on device"),
+    QT_TRANSLATE_NOOP("QIODevice", "Too many open files"),
+    QT_TRANSLATE_NOOP("QIODevice", "Is a directory"),
+    QT_TRANSLATE_NOOP("QIODevice", "Not a directory"),
+    QT_TRANSLATE_NOOP("QIODevice", "File exists"),
+    QT_TRANSLATE_NOOP("QIODevice", "File name too long"),
+    QT_TRANSLATE_NOOP("QIODevice", "Read-only file system"),
+    QT_TRANSLATE_NOOP("QIODevice", "Input/output error"),
+    QT_TRANSLATE_NOOP("QIODevice", "Operation not permitted"),
+    QT_TRANSLATE_NOOP("QIODevice", "Disk quota exceeded"),
+    QT_TRANSLATE_NOOP("QIODevice", "Connection refused"),
+    QT_TRANSLATE_NOOP("QIODevice", "Broken pipe"),
     QT_TRANSLATE_NOOP("QColorDialog", "Hu&e:"),
     QT_TRANSLATE_NOOP("QColorDialog", "&Sat:"),
     QT_TRANSLATE_NOOP("QColorDialog", "&Val:"),
