@@ -63,7 +63,7 @@ void reportExported(const BagsArguments& args, const ExportOrder& order, RobotCo
   if (args.json) {
     printJson(done);
   } else {
-    printLine(QStringLiteral("%1: %2").arg(oneLine(order.path), sentence));
+    printLine(words::about(oneLine(order.path), sentence));
   }
 }
 
@@ -101,7 +101,7 @@ CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command,
   bags.reportNotFound(args.topics, order.span, done.messages, done.topics);
   const map::Subject bag{map::SubjectKind::Bag, args.name};
   for (const Fault& loss : done.losses)
-    bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
+    bags.robot().lack(words::about(sentences::nameOf(bag), sentences::wordsOf(loss)));
   reportExported(args, order, command,
                  {{QStringLiteral("messages"), qint64(done.messages)},
                   {QStringLiteral("said_before"), qint64(done.said_before)},

@@ -22,6 +22,7 @@
 #include "robot/sends_map.h"
 #include "ui/kit/status_text.h"
 #include "words/file_name.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -126,7 +127,7 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args
                           {QStringLiteral("bytes"), qint64(done->bytes)},
                           {QStringLiteral("resumed"), done->resumed}});
   } else {
-    printLine(QStringLiteral("%1: %2").arg(oneLine(done->path), ui::bytesText(done->bytes)));
+    printLine(words::about(oneLine(done->path), ui::bytesText(done->bytes)));
   }
   return kDone;
 }

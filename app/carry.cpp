@@ -265,9 +265,8 @@ CommandResult<int> finish(RobotCommand& command, const CarryArguments& args, con
   } else if (!printed) {
     printRows(rows);
     if (site.alignment.best) printLine(align::alignmentText(site.alignment));
-    printLine(args.output.empty()
-                  ? sumText(rows, args.all)
-                  : QStringLiteral("%1: %2").arg(oneLine(text(args.output)), sumText(rows, args.all)));
+    printLine(args.output.empty() ? sumText(rows, args.all)
+                                  : words::about(oneLine(text(args.output)), sumText(rows, args.all)));
   }
   const bool all_go = std::all_of(rows.begin(), rows.end(),
                                   [](const CarryRow& row) { return row.goes(false) || row.there_already; });

@@ -13,6 +13,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -100,8 +101,9 @@ void MapRequest::choose() {
 
 void MapRequest::askForWhole() {
   if (!whole_agreed_) {
-    fail(kRobotError, byRegionsOnly() + QLatin1Char(' ') +
-                          Text::tr("To get the whole map, whatever its size, pass --mode whole."));
+    fail(kRobotError,
+         words::paragraph(
+             {byRegionsOnly(), Text::tr("To get the whole map, whatever its size, pass --mode whole.")}));
     return;
   }
   asked_for_whole_ = true;
@@ -188,8 +190,8 @@ QStringList namedMapSentence(const std::optional<map::MapInfo>& named) {
 
 void MapRequest::failWithoutLive(const QString& sentence) {
   fail(kRobotError,
-       (QStringList(sentence) + namedMapSentence(session_.world().live.map_info) + liveTroubles().mid(0, 1))
-           .join(QLatin1Char(' ')));
+       words::paragraph(QStringList(sentence) + namedMapSentence(session_.world().live.map_info) +
+                        liveTroubles().mid(0, 1)));
 }
 
 QString MapRequest::noMapNow() const {

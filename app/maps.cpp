@@ -221,9 +221,10 @@ CommandResult<int> mapsCurrent(RobotCommand& command, const MapsArguments& args)
   if (!rows) return passOn(rows);
   const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
   if (!current) {
-    QString none = Text::tr("%1: none of its maps is the current one.").arg(text(args.robot));
-    if (const QString state = withoutCurrent(**robot); !state.isEmpty()) none += QLatin1Char(' ') + state;
-    return tl::make_unexpected(CommandFailure{kRobotError, none});
+    return tl::make_unexpected(CommandFailure{
+        kRobotError,
+        words::paragraph({Text::tr("%1: none of its maps is the current one.").arg(text(args.robot)),
+                          withoutCurrent(**robot)})});
   }
   print(*current, args.json);
   return kDone;
@@ -488,8 +489,7 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
   if (args.json || !entry->key.id.empty()) print(*entry, args.json);
   const QString odd = jobs::oddity(order, *entry);
   if (odd.isEmpty()) return kDone;
-  return tl::make_unexpected(
-      CommandFailure{kIncomplete, QStringLiteral("%1: %2").arg(text(args.robot), odd)});
+  return tl::make_unexpected(CommandFailure{kIncomplete, words::about(text(args.robot), odd)});
 }
 
 CommandResult<int> mapsSaveOnRobot(RobotCommand& command, const MapsArguments& args) {

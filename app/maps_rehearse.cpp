@@ -26,6 +26,7 @@
 #include "replay/track_file.h"
 #include "sentences/fault_sentence.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -257,7 +258,7 @@ QStringList cellsOf(const Stretch& stretch) {
 
 void printRehearsal(const RehearsalSite& site, const std::vector<RehearsedWay>& ways) {
   for (const RehearsedWay& one : ways)
-    printLine(QStringLiteral("%1: %2").arg(oneLine(text(one.name)), carry::rehearsedText(one.way)));
+    printLine(words::about(oneLine(text(one.name)), carry::rehearsedText(one.way)));
   std::vector<QStringList> table{{Text::tr("MEETS"), Text::tr("LENGTH (m)"), Text::tr("X (m)"),
                                   Text::tr("Y (m)"), Text::tr("FROM (UTC)"), Text::tr("TO (UTC)"),
                                   Text::tr("NAME")}};
@@ -328,7 +329,7 @@ CommandResult<int> mapsRehearse(RobotCommand& command, const RehearseArguments& 
     const bool any = std::any_of(way->points.begin(), way->points.end(), [](const carry::WayPoint& point) {
       return point.position_m.allFinite() && std::isfinite(point.stamp_s);
     });
-    if (!any) return wrong(QStringLiteral("%1: %2").arg(oneLine(text(typed)), carry::rehearsedText({})));
+    if (!any) return wrong(words::about(oneLine(text(typed)), carry::rehearsedText({})));
     driven.push_back(std::move(*way));
   }
   const auto site = openRehearsal(command, args);

@@ -59,8 +59,7 @@ tl::expected<OverlayDocument, QString> overlayFile(const std::string& path) {
   if (!bytes) return passOn(bytes);
   auto document = OverlayDocument::read(std::move(*bytes));
   if (document) return std::move(*document);
-  return tl::make_unexpected(
-      QStringLiteral("%1: %2").arg(inputCalled(path), sentences::sentenceOf(document.error())));
+  return tl::make_unexpected(words::about(inputCalled(path), sentences::sentenceOf(document.error())));
 }
 
 /// A file that is to become the overlays. An empty one, or something else than a FeatureCollection, is no
@@ -143,9 +142,9 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   }
   if (printed) return kDone;
   const auto count = qint64(document->features().size());
-  printLine(QStringLiteral("%1: %2").arg(
-      oneLine(output),
-      sentences::counted(Text::tr("%1 features", nullptr, sentences::formOf(count)), count)));
+  printLine(
+      words::about(oneLine(output),
+                   sentences::counted(Text::tr("%1 features", nullptr, sentences::formOf(count)), count)));
   return kDone;
 }
 

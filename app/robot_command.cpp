@@ -31,6 +31,7 @@
 #include "submap/submap_store.h"
 #include "ui/scene/layer.h"
 #include "ui/shot/recall.h"
+#include "words/listed.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -113,7 +114,7 @@ std::vector<std::string> RobotReading::sourceFiles() const {
 
 QString RobotReading::about(const QString& sentence) const {
   constexpr qsizetype kLongestAddress = 200;
-  return QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence);
+  return words::about(oneLine(address_, kLongestAddress), sentence);
 }
 
 tl::unexpected<CommandFailure> RobotReading::failure(int exit_code, const QString& sentence) const {
@@ -290,7 +291,7 @@ CommandResult<render::PlacedGrid> RobotReading::map(const QString& id, double re
   if (!in) {
     const QString late = Text::tr("The map had not arrived within %1 s.").arg(time_.timeout_s);
     return failure(exitCodeOf(map::FailureKind::TimedOut),
-                   (QStringList(late) + request.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+                   words::paragraph(QStringList(late) + request.liveTroubles().mid(0, 1)));
   }
   if (request.look(secondsSince(online_since_)) == MapRequest::State::Failed) {
     return failure(request.failure().exit_code, request.failure().sentence);
@@ -484,8 +485,8 @@ int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<
 
 int RobotCommand::end(CommandResult<int> result) const {
   for (const auto& reading : readings_) {
-    if (!result && !reading->unconfirmed().isEmpty())
-      result.error().sentence += QLatin1Char(' ') + reading->unconfirmed();
+    if (!result)
+      result.error().sentence = words::paragraph({result.error().sentence, reading->unconfirmed()});
   }
   const QStringList warnings = this->warnings();
   QJsonObject report;

@@ -61,7 +61,7 @@ CommandResult<pbstream::StateFile> stateFileAt(const RobotArguments& args, const
         Text::tr("%1: reading it took longer than %2 s (--timeout).").arg(*path).arg(time.timeout_s)});
   if (!read) {
     const QString why = sentences::wordsOf(read.error());
-    return wrong(why.contains(*path) ? why : QStringLiteral("%1: %2").arg(*path, why));
+    return wrong(why.contains(*path) ? why : words::about(*path, why));
   }
   return std::move(*read);
 }

@@ -10,6 +10,7 @@
 #include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/plural.h"
+#include "words/listed.h"
 
 namespace mapwright::app {
 
@@ -58,7 +59,8 @@ CommandResult<QStringList> RegionSnapshot::notes(const QString& link) const {
   if (counts.answered == 0 && !(fetch_ && regions().holdsAnyOf(rect_))) {
     const bool failed = over() && fetch_->trouble().kind == regions::RegionTrouble::Kind::Failed;
     return fail(exitCodeOf(failed ? fetch_->trouble().failure.kind : map::FailureKind::TimedOut),
-                Text::tr("%1: no part of the region could be fetched. %2").arg(robot_, trouble) + link);
+                words::paragraph(
+                    {Text::tr("%1: no part of the region could be fetched. %2").arg(robot_, trouble), link}));
   }
   if (scale() <= 0) {
     return fail(kIncomplete, Text::tr("%1: the map is empty in this region, so the size of its cells is "

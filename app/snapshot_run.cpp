@@ -163,15 +163,14 @@ void SnapshotRun::lookAndWait() {
 QString SnapshotRun::whatOfTheLink() const {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Online) return {};
-  return QLatin1Char(' ') +
-         Text::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
+  return Text::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
 }
 
 QString SnapshotRun::noConnection() const {
   const QString reason = sentences::wordsOf(session_.connection().reason);
-  return Text::tr("%1: no connection within %2 s.%3")
-      .arg(options_.robot, QString::number(options_.timeout_s),
-           reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
+  return words::paragraph(
+      {Text::tr("%1: no connection within %2 s.").arg(options_.robot, QString::number(options_.timeout_s)),
+       reason});
 }
 
 bool SnapshotRun::connected() {
@@ -184,7 +183,7 @@ bool SnapshotRun::connected() {
     if (replayed_)
       subject += QStringLiteral(": ") +
                  sentences::nameOf(subjectOf(robot::BagKey{robot::BagKind::Bag, options_.bag}));
-    fail(isLocal() ? kUsage : code, QStringLiteral("%1: %2").arg(subject, notConnectedReason(link)));
+    fail(isLocal() ? kUsage : code, words::about(subject, notConnectedReason(link)));
     return false;
   }
   if (link.phase != robot::ConnectionPhase::Online) {
@@ -192,8 +191,7 @@ bool SnapshotRun::connected() {
                          (link.attempt >= kSnapshotConnectAttempts || seconds() > kConnectWithinS ||
                           link.failure == map::FailureKind::NotARobot);
     if (gave_up) {
-      fail(exitCodeOf(link.failure, kUnreachable),
-           QStringLiteral("%1: %2").arg(options_.robot, notConnectedReason(link)));
+      fail(exitCodeOf(link.failure, kUnreachable), words::about(options_.robot, notConnectedReason(link)));
     }
     return false;
   }
@@ -201,7 +199,7 @@ bool SnapshotRun::connected() {
   if (options_.mode == SnapshotMode::Submaps && !session_.robot().submapSource()) {
     const QString why = sentences::absenceReason(
         robot::Capability::Submaps, session_.robot().unavailableReason(robot::Capability::Submaps));
-    fail(isLocal() ? kUsage : kRobotError, QStringLiteral("%1: %2").arg(options_.robot, why));
+    fail(isLocal() ? kUsage : kRobotError, words::about(options_.robot, why));
     return false;
   }
   // An option that the picture could not show.
@@ -300,8 +298,7 @@ bool SnapshotRun::recalled() {
   }
   if (const auto failure = recall_->failure()) {
     const QString sentence = QString::fromStdString(sentences::sentenceOf(*failure));
-    fail(isLocal() ? kUsage : exitCodeOf(failure->kind),
-         QStringLiteral("%1: %2").arg(options_.robot, sentence));
+    fail(isLocal() ? kUsage : exitCodeOf(failure->kind), words::about(options_.robot, sentence));
     return false;
   }
   if (recall_->in()) {
@@ -360,8 +357,9 @@ void SnapshotRun::look() {
   if (!(region_ ? stepRegion() : stepMap())) return;
   const bool online = session_.connection().phase == robot::ConnectionPhase::Online;
   const EndOfWaiting end = shot_.end(seconds(), online, [this] { return !region_ && somethingIn(); });
-  if (end == EndOfWaiting::TimeUp) notes_ << timeUpText() + whatOfTheLink();
-  if (end == EndOfWaiting::LinkLost) notes_ << Text::tr("Not everything had arrived.") + whatOfTheLink();
+  if (end == EndOfWaiting::TimeUp) notes_ << words::paragraph({timeUpText(), whatOfTheLink()});
+  if (end == EndOfWaiting::LinkLost)
+    notes_ << words::paragraph({Text::tr("Not everything had arrived."), whatOfTheLink()});
   if (end != EndOfWaiting::None) return draw(end);
   // Counting a hundred thousand submaps takes a moment, so do not do it every time.
   if (region_ || seconds() - noted_s_ <= std::max(kNoteEveryS, 20 * note_took_s_)) return;
@@ -376,7 +374,7 @@ bool SnapshotRun::stepMap() {
   const double waited_s = coming ? 0 : sinceConnected() - whole_asked_s_;
   if (!wantsWholeMap() || map_.look(waited_s) != MapRequest::State::Failed) return true;
   if (!drawsScansAlone()) {
-    fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
+    fail(map_.failure().exit_code, words::about(options_.robot, map_.failure().sentence));
     return false;
   }
   ground_ = Ground::ScansAlone;
@@ -436,7 +434,7 @@ void SnapshotRun::updateStanding() {
       connected
           ? Text::tr("Incomplete: no picture could be made within %1 s (--timeout).").arg(options_.timeout_s)
           : noConnection();
-  if (connected) standing.sentence += whatOfTheLink();
+  if (connected) standing.sentence = words::paragraph({standing.sentence, whatOfTheLink()});
   standing.report = report();
   standing.report[QStringLiteral("complete")] = false;
   QJsonArray warnings = standing.report[QLatin1String("warnings")].toArray();
@@ -623,11 +621,13 @@ void SnapshotRun::draw(EndOfWaiting why) {
                               ? Text::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
                               : Text::tr("its map");
     fail(exitCodeOf(map::FailureKind::TimedOut),
-         Text::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
-                 .arg(options_.robot, which, passed(options_.settle_s ? sinceConnected() : seconds()),
-                      options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
-             whatOfTheLink() +
-             (QStringList(QString()) + map_.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+         words::paragraph(
+             QStringList{
+                 Text::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
+                     .arg(options_.robot, which, passed(options_.settle_s ? sinceConnected() : seconds()),
+                          options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")),
+                 whatOfTheLink()} +
+             map_.liveTroubles().mid(0, 1)));
     return;
   }
   shot_.enter(Stage::Drawing, seconds());
@@ -656,24 +656,25 @@ void SnapshotRun::draw(EndOfWaiting why) {
   shot_.addIf(wantsCloud() && !(cloud_ && cloud_->came), Lack::Cloud);
   if (options_.named.contains(ui::scene::Layer::Closures) && !session_.poseGraph().offered()) {
     shot_.add(Lack::PoseGraph);
-    notes_ << Text::tr("Loop closures are not drawn.") + QLatin1Char(' ') +
-                  sentences::absenceReason(robot::Capability::PoseGraph,
-                                           session_.robot().unavailableReason(robot::Capability::PoseGraph));
+    notes_ << words::paragraph(
+        {Text::tr("Loop closures are not drawn."),
+         sentences::absenceReason(robot::Capability::PoseGraph,
+                                  session_.robot().unavailableReason(robot::Capability::PoseGraph))});
   }
   if (wantsClosures() && !session_.poseGraph().closures()) {
     shot_.add(Lack::PoseGraph);
-    notes_ << Text::tr("Loop closures are not drawn: the pose graph was not read.") +
-                  (session_.poseGraph().failure()
-                       ? QLatin1Char(' ') +
-                             QString::fromStdString(sentences::failureReason(*session_.poseGraph().failure()))
-                       : QString());
+    notes_ << words::paragraph(
+        {Text::tr("Loop closures are not drawn: the pose graph was not read."),
+         session_.poseGraph().failure()
+             ? QString::fromStdString(sentences::failureReason(*session_.poseGraph().failure()))
+             : QString()});
   }
   shot_.addIf(!holes.empty() || !bagLosses(session_.problems()).isEmpty(), Lack::PartsOfBag);
   if (!holes.empty()) notes_ << sentences::sentenceOf(replay::faultOf(holes));
   // Also printed to standard error although nothing is missing.
   const auto say = [this](const QString& note) {
     notes_ << note;
-    shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + note;
+    shown_instead_ = words::paragraph({shown_instead_, note});
   };
   if (wantsCloud() && cloud_ && !cloud_->problem.isEmpty()) notes_ << cloud_->problem;
   // Nothing may look as if it had been recorded.

@@ -79,7 +79,7 @@ tl::expected<suite::Suite, QString> suiteIn(const std::string& path) {
     return tl::make_unexpected(
         Text::tr("%1 cannot be read: %2").arg(text(path), sentences::sentenceOf(yaml.error().cause)));
   auto read = suite::readSuite(*yaml, viewOptions());
-  if (!read) return tl::make_unexpected(QStringLiteral("%1: %2").arg(text(path), read.error()));
+  if (!read) return tl::make_unexpected(words::about(text(path), read.error()));
   return std::move(*read);
 }
 
@@ -153,7 +153,7 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
   for (suite::View& view : read->views) {
     if (!wanted(view)) continue;
     const auto wrong_view = [&](const QString& sentence) {
-      return tl::make_unexpected(QStringLiteral("%1: %2").arg(text(args.suite), sentence));
+      return tl::make_unexpected(words::about(text(args.suite), sentence));
     };
     if (!view.mask.isEmpty()) {
       view.mask = file.dir().absoluteFilePath(view.mask);
@@ -166,7 +166,7 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
     auto options = snapshotOptionsOf(view, file.absolutePath(), args.robot, output);
     if (!options) return wrong_view(options.error());
     if (const auto address = knownAddresses().parse(options->robot); !address)
-      return wrong_view(suite::atPosition(view.at, QStringLiteral("%1: %2").arg(view.name, address.error())));
+      return wrong_view(suite::atPosition(view.at, words::about(view.name, address.error())));
     plan.options.push_back(std::move(*options));
   }
   return plan;
@@ -262,7 +262,7 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     suite::explain(verdict, facts, outcome);
     if (const auto fault = compare::writeDifference(*verdict.comparison, verdict.expected.toStdString(),
                                                     actual.toStdString(), difference.toStdString())) {
-      outcome.sentence += QLatin1Char(' ') + sentences::sentenceOf(*fault);
+      outcome.sentence = words::paragraph({outcome.sentence, sentences::sentenceOf(*fault)});
     } else {
       outcome.difference = difference;
     }
@@ -316,8 +316,7 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) {
     outcomes[view] = outcomeOf(plan, view, drawn, unreadable);
     const ViewOutcome& outcome = outcomes[view];
-    return suite::linesOf(QStringLiteral("%1: %2").arg(outcome.name, suite::verdictText(outcome.verdict)),
-                          outcome);
+    return suite::linesOf(words::about(outcome.name, suite::verdictText(outcome.verdict)), outcome);
   });
   if (const auto why = writeReports(plan, outcomes)) return refuse(kUsage, *why);
   const suite::Tally tally = suite::tallyOf(outcomes);
@@ -366,8 +365,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
       return QStringList(Text::tr("%1: nothing accepted. %2").arg(name, sentence));
     };
     if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
-    if (!drawn.examined.lacks.isEmpty())
-      return fail(kIncomplete, drawn.examined.lacks.join(QLatin1Char(' ')));
+    if (!drawn.examined.lacks.isEmpty()) return fail(kIncomplete, words::paragraph(drawn.examined.lacks));
     suite::Facts facts = factsOf(drawn);
     const QString picture = plan.expectedPicture(view);
     const Judgement verdict = judged(plan, view);

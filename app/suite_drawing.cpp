@@ -16,6 +16,7 @@
 #include "app/suite_quality.h"
 #include "app/wrong_words.h"
 #include "replay/replay_robot.h"
+#include "words/listed.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -96,7 +97,7 @@ tl::expected<SnapshotOptions, QString> snapshotOptionsOf(const suite::View& view
     for (const suite::ViewOption& option : view.options) {
       if (text(option.name) == first) at = option.at;
     }
-    return tl::make_unexpected(suite::atPosition(at, QStringLiteral("%1: %2").arg(view.name, sentence)));
+    return tl::make_unexpected(suite::atPosition(at, words::about(view.name, sentence)));
   };
   try {
     parser.cli.parse(std::move(typed));

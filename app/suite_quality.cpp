@@ -12,6 +12,7 @@
 #include "sentences/fault_sentence.h"
 #include "session/submaps_complete.h"
 #include "submap/submap_store.h"
+#include "words/listed.h"
 
 namespace mapwright::app {
 namespace {
@@ -25,10 +26,10 @@ void takeClosures(const session::Session& session, suite::Examined& examined) {
   QString why = Text::tr("Loop closures could not be judged: the pose graph was not read.");
   if (!graph.offered()) {
     const auto absence = session.robot().unavailableReason(robot::Capability::PoseGraph);
-    why = Text::tr("Loop closures could not be judged.") + QLatin1Char(' ') +
-          sentences::absenceReason(robot::Capability::PoseGraph, absence);
+    why = words::paragraph({Text::tr("Loop closures could not be judged."),
+                            sentences::absenceReason(robot::Capability::PoseGraph, absence)});
   } else if (graph.failure()) {
-    why += QLatin1Char(' ') + QString::fromStdString(sentences::failureReason(*graph.failure()));
+    why = words::paragraph({why, QString::fromStdString(sentences::failureReason(*graph.failure()))});
   }
   examined.lacks << why;
 }

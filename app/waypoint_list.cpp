@@ -128,7 +128,7 @@ QJsonObject previewJson(const ListedWaypoints& list, const exchange::MergedEdits
 std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
                                            std::vector<exchange::WaypointEdit> edits) {
   exchange::FittedEdits fitted = exchange::fitted(std::move(edits), list.store->keeps());
-  if (!fitted.notes.isEmpty()) list.robot->addRemark(fitted.notes.join(QLatin1Char(' ')));
+  if (!fitted.notes.isEmpty()) list.robot->addRemark(words::paragraph(fitted.notes));
   return std::move(fitted.edits);
 }
 
@@ -218,7 +218,7 @@ tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& pa
     return tl::make_unexpected(Text::tr("%1 is larger than 64 MiB.").arg(called));
   exchange::WantedFile wanted =
       exchange::wantedFromFile(*bytes, kind ? *kind : exchange::waypointFormatOf(*bytes), unit);
-  if (!wanted) return tl::make_unexpected(QStringLiteral("%1: %2").arg(called, wanted.error()));
+  if (!wanted) return tl::make_unexpected(words::about(called, wanted.error()));
   if (wanted->unit_guessed)
     wanted->notes << Text::tr("Pass --angles degrees or --angles radians to be sure.");
   return wanted;
@@ -245,9 +245,9 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {
-    doubtful.untold =
-        Text::tr("The map under the waypoints cannot be read, so they are not checked for walls.");
-    if (!ground.unavailable_reason.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.unavailable_reason;
+    doubtful.untold = words::paragraph(
+        {Text::tr("The map under the waypoints cannot be read, so they are not checked for walls."),
+         ground.unavailable_reason});
   } else {
     doubtful.untold = sentences::sentenceOf(found.state);
   }
@@ -269,7 +269,7 @@ QJsonArray warningsJson(const placing::Warnings& warnings) {
 }
 
 QString warningsLine(const placing::Warnings& warnings) {
-  return sentences::sentencesOf(warnings).replace(QLatin1Char('\n'), QLatin1Char(' '));
+  return words::paragraph(sentences::sentencesOf(warnings).split(QLatin1Char('\n')));
 }
 
 QJsonArray callsOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {

@@ -12,6 +12,7 @@
 #include "map/waypoint.h"
 #include "robot/faults.h"
 #include "sentences/failure_sentence.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -241,8 +242,8 @@ QString sentenceOf(const std::vector<LeftName>& left) {
   if (left.empty()) return {};
   QStringList lines;
   for (const LeftName& one : left) lines << sentenceOf(one);
-  return QLatin1Char(' ') + lines.join(QLatin1Char(' ')) + QLatin1Char(' ') +
-         Text::tr("Run the command again to finish it.");
+  lines << Text::tr("Run the command again to finish it.");
+  return words::paragraph(lines);
 }
 
 }  // namespace
@@ -258,7 +259,7 @@ int SentWaypoints::exitCode() const {
   return failure ? exitCodeOf(failure->kind) : kRobotError;
 }
 
-QString SentWaypoints::sentence() const { return whatBecame() + sentenceOf(left_names); }
+QString SentWaypoints::sentence() const { return words::paragraph({whatBecame(), sentenceOf(left_names)}); }
 
 QString SentWaypoints::whatBecame() const {
   if (!conflicts.empty()) {
@@ -277,8 +278,7 @@ QString SentWaypoints::whatBecame() const {
   for (const StepState state : {StepState::Unknown, StepState::Failed, StepState::NotSent}) {
     for (const SentStep& sent : steps) {
       const QString why = exchange::sentenceOf(sent.outcome);
-      if (sent.outcome.state == state && !why.isEmpty())
-        lines << QStringLiteral("%1: %2").arg(shownName(sent.step), why);
+      if (sent.outcome.state == state && !why.isEmpty()) lines << words::about(shownName(sent.step), why);
     }
   }
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));
@@ -352,8 +352,7 @@ void printSent(const SentWaypoints& sent) {
     const std::string id = kept != sent.kept.end() ? kept->second.id : one.step.id();
     const QString why = exchange::sentenceOf(one.outcome);
     table.push_back({wordOf(one.outcome.state), wordOf(one.step.kind), words::plainName(id),
-                     why.isEmpty() ? shownName(one.step)
-                                   : QStringLiteral("%1: %2").arg(shownName(one.step), oneLine(why))});
+                     why.isEmpty() ? shownName(one.step) : words::about(shownName(one.step), oneLine(why))});
   }
   for (const QString& line : exchange::conflictLines(sent.conflicts))
     table.push_back({Text::tr("conflict"), QString(), QString(), line});

@@ -22,6 +22,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -112,9 +113,9 @@ CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArgumen
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   if (!isStandardOutput(output)) {
     const auto count = qint64(list->stored.points.size());
-    printLine(QStringLiteral("%1: %2").arg(
-        oneLine(output),
-        sentences::counted(Text::tr("%1 waypoints", nullptr, sentences::formOf(count)), count)));
+    printLine(
+        words::about(oneLine(output),
+                     sentences::counted(Text::tr("%1 waypoints", nullptr, sentences::formOf(count)), count)));
   }
   return kDone;
 }
@@ -323,10 +324,9 @@ CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypo
   wanted.notes.removeAll(QString());
   // As one: of several only the first would be printed.
   if (!wanted.notes.isEmpty())
-    list.robot->addRemark(QStringLiteral("%1: %2").arg(oneLine(inputCalled(args.file), 200),
-                                                       wanted.notes.join(QLatin1Char(' '))));
+    list.robot->addRemark(words::about(oneLine(inputCalled(args.file), 200), words::paragraph(wanted.notes)));
   auto edits = exchange::editsFor(kept, wanted.points, others);
-  if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(args.file), edits.error()));
+  if (!edits) return wrong(words::about(inputCalled(args.file), edits.error()));
   return fitted(list, std::move(*edits));
 }
 
@@ -395,7 +395,7 @@ CommandResult<int> waypointsApply(RobotCommand& command, const WaypointsArgument
     return wrong(Text::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > kMost) return wrong(Text::tr("%1 is larger than 256 MiB.").arg(file));
   auto plan = exchange::planFromBytes(*bytes);
-  if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
+  if (!plan) return wrong(words::about(file, plan.error()));
   const auto list = listWaypoints(command, args.map.empty() ? plan->map : args.map, Use::Changing);
   if (!list) return passOn(list);
   const QString address = list->robot->session().robot().address();

@@ -3683,10 +3683,6 @@
         <translation>与机器人的连接已丢失。%1</translation>
     </message>
     <message>
-        <source>%1: no connection within %2 s.%3</source>
-        <translation>%1：%2 s 内未能连接。%3</translation>
-    </message>
-    <message>
         <source>%1 has no submaps: --slice and --colors only apply to those.</source>
         <translation>%1 没有子图：--slice 和 --colors 只适用于子图。</translation>
     </message>
@@ -4581,6 +4577,10 @@
     <message>
         <source>%1 is an address: put --robot in front of it.</source>
         <translation>%1 是地址：请在它前面加上 --robot。</translation>
+    </message>
+    <message>
+        <source>%1: no connection within %2 s.</source>
+        <translation>%1：%2 s 内没有建立连接。</translation>
     </message>
 </context>
 <context>
@@ -20790,12 +20790,12 @@ Theirs: %6</source>
         <translation>及另外 %1 个</translation>
     </message>
     <message>
-        <source>%1 Also: %2</source>
-        <translation>%1 另有：%2</translation>
-    </message>
-    <message>
         <source>As of %1: %2</source>
         <translation>截至 %1：%2</translation>
+    </message>
+    <message>
+        <source>Also: %1</source>
+        <translation>另有：%1</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include "words/decimal.h"
+#include "words/listed.h"
 
 namespace mapwright::align {
 namespace {
@@ -18,21 +19,20 @@ QString percent(double share) { return figure(share * 100, 0); }
 /// What does not fit with the rest; empty when all does.
 QString partText(const Agreement& agreement) {
   if (!agreement.part) return {};
-  return QLatin1Char(' ') +
-         AlignmentText::tr("A part lies %1 cm beside, near (%2, %3) of the new map: look there.")
-             .arg(figure(agreement.part->off_m * 100, 0), figure(agreement.part->middle_m.x(), 1),
-                  figure(agreement.part->middle_m.y(), 1));
+  return AlignmentText::tr("A part lies %1 cm beside, near (%2, %3) of the new map: look there.")
+      .arg(figure(agreement.part->off_m * 100, 0), figure(agreement.part->middle_m.x(), 1),
+           figure(agreement.part->middle_m.y(), 1));
 }
 
 /// How sure it is that this is the same floor; empty when nothing speaks against it.
 QString furnitureText(const Furniture& furniture) {
   if (!furniture.mostDiffers()) return {};
-  return QLatin1Char(' ') + AlignmentText::tr(
-                                "Of %1 pieces of furniture %2 stand where they stood: much was moved, or it "
-                                "is another floor of the "
-                                "same shape.")
-                                .arg(furniture.pieces)
-                                .arg(furniture.again);
+  return AlignmentText::tr(
+             "Of %1 pieces of furniture %2 stand where they stood: much was moved, or it "
+             "is another floor of the "
+             "same shape.")
+      .arg(furniture.pieces)
+      .arg(furniture.again);
 }
 
 QString pairHint(const Alignment& alignment) {
@@ -134,10 +134,10 @@ QString offText(const Agreement& agreement) {
 
 QString alignmentText(const Alignment& alignment) {
   if (!alignment.sure()) return AlignmentText::tr("Not sure. %1").arg(doubtText(alignment));
-  const QString share =
-      AlignmentText::tr("%1 % of the old map's walls have a wall of the new map within 10 cm.")
-          .arg(percent(alignment.agreement.forward.within_10cm)) +
-      partText(alignment.agreement) + furnitureText(alignment.furniture);
+  const QString share = words::paragraph(
+      {AlignmentText::tr("%1 % of the old map's walls have a wall of the new map within 10 cm.")
+           .arg(percent(alignment.agreement.forward.within_10cm)),
+       partText(alignment.agreement), furnitureText(alignment.furniture)});
   if (alignment.pair_residuals_m.empty())
     return AlignmentText::tr("Sure: the maps fit in one way only. %1").arg(share);
   if (alignment.pair_residuals_m.size() == 1) {

@@ -79,7 +79,7 @@ QString rehearsedText(const Rehearsed& way) {
   if (way.unusable > 0)
     said
         << RehearsalText::tr("Positions left out because they are no numbers: %1.").arg(qint64(way.unusable));
-  return said.join(QLatin1Char(' '));
+  return words::paragraph(said);
 }
 
 }  // namespace mapwright::carry

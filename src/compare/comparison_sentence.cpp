@@ -77,14 +77,12 @@ QString comparisonText(const Comparison& comparison, const std::optional<geometr
                      "The pictures are equal: no channel differs by more than is allowed (%1 at most).")
                      .arg(comparison.max);
   }
-  QString text = sizesText(comparison);
-  if (!text.isEmpty()) text += QLatin1Char(' ');
-  text += amountText(comparison);
+  QString text = words::paragraph({sizesText(comparison), amountText(comparison)});
   if (const QString clusters = clustersText(comparison, view); !clusters.isEmpty())
     text = words::about(text, clusters);
   text = words::asSentence(text);
-  if (comparison.equal) text += QLatin1Char(' ') + ComparisonText::tr("That is allowed.");
-  return text;
+  if (!comparison.equal) return text;
+  return words::paragraph({text, ComparisonText::tr("That is allowed.")});
 }
 
 }  // namespace mapwright::compare

@@ -322,7 +322,7 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
   for (const edit::Key& key : order) {
     WaypointEdit& edit = edits.at(key);
     const QString why = edit.after ? notKeptReason(edit.before, *edit.after) : QString();
-    if (!why.isEmpty()) return wrong(QStringLiteral("%1: %2").arg(plainShort(key), why));
+    if (!why.isEmpty()) return wrong(words::about(plainShort(key), why));
     plan.edits.push_back(std::move(edit));
   }
   return plan;

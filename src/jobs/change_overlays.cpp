@@ -10,6 +10,7 @@
 #include "jobs/faults.h"
 #include "overlays/overlay_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "words/listed.h"
 
 namespace mapwright::jobs {
 namespace {
@@ -216,7 +217,7 @@ QString doubtOf(const OverlayOutcome& outcome) {
       sentences << OverlaysText::tr(
           "It has not counted a change yet and may still make it. Check again in a moment.");
   }
-  return sentences.join(QLatin1Char(' '));
+  return words::paragraph(sentences);
 }
 
 robot::Call changeOverlays(robot::OverlayStore& store, OverlayOrder order,

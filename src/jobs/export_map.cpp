@@ -17,6 +17,7 @@
 #include "render/dense_cache.h"
 #include "sentences/fault_sentence.h"
 #include "words/figures.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::jobs {
@@ -42,17 +43,16 @@ QString keptInstead(const Fault& problem) {
 QString unseenBy(const grids::SeenByRobots& seen) {
   if (seen.whole()) return {};
   const auto count = [](std::int64_t cells) { return QString::fromStdString(words::grouped(cells)); };
-  QString said =
+  QStringList said{
       QCoreApplication::translate("window",
                                   "AMCL and Nav2's costmaps will see %1 of %2 wall cells as walls, "
                                   "and %3 of %4 free cells as free.")
-          .arg(count(seen.walls), count(seen.shown.occupied), count(seen.free), count(seen.shown.free));
-  if (seen.walls_as_free > 0) {
-    said += QLatin1Char(' ') + QCoreApplication::translate("window", "%1 wall cells will be free for them.")
-                                   .arg(count(seen.walls_as_free));
-  }
-  return said + QLatin1Char(' ') +
-         QCoreApplication::translate("window", "Mode trinary without thresholds keeps them all.");
+          .arg(count(seen.walls), count(seen.shown.occupied), count(seen.free), count(seen.shown.free))};
+  if (seen.walls_as_free > 0)
+    said << QCoreApplication::translate("window", "%1 wall cells will be free for them.")
+                .arg(count(seen.walls_as_free));
+  said << QCoreApplication::translate("window", "Mode trinary without thresholds keeps them all.");
+  return words::paragraph(said);
 }
 
 Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed,

@@ -5,6 +5,7 @@
 #include "pbstream/drop.h"
 #include "sentences/fault_sentence.h"
 #include "words/figures.h"
+#include "words/listed.h"
 
 namespace mapwright::jobs {
 namespace {
@@ -22,7 +23,7 @@ tl::expected<pbstream::DropReceipt, QString> leaveOut(const QString& from, const
   auto receipt = pbstream::drop(from.toStdString(), what, to.toStdString(), cancelled, progressed);
   if (receipt) return std::move(*receipt);
   const QString why = sentences::wordsOf(receipt.error());
-  return tl::unexpected(why.contains(to) ? why : QStringLiteral("%1: %2").arg(from, why));
+  return tl::unexpected(why.contains(to) ? why : words::about(from, why));
 }
 
 QStringList leftOutSentences(const pbstream::DropReceipt& receipt, const QString& to) {

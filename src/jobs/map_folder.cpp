@@ -21,6 +21,7 @@
 #include "jobs/faults.h"
 #include "jobs/new_map.h"
 #include "sentences/fault_sentence.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::jobs {
@@ -311,7 +312,7 @@ tl::expected<robot::NewMap, QString> readMapFolder(const QString& folder, bool a
   if (!picture) return no(picture.error());
   map.picture = std::make_shared<const std::string>(std::move(*picture));
   const auto size = sizeOfMapPicture(map.picture);
-  if (!size) return no(QStringLiteral("%1: %2").arg(kPictureFile, size.error()));
+  if (!size) return no(words::about(kPictureFile, size.error()));
   map.grid.width = size->width;
   map.grid.height = size->height;
   if (files.contains(kDataFile)) {

@@ -18,6 +18,7 @@
 #include "jobs/change_overlays.h"
 #include "sentences/fault_sentence.h"
 #include "words/decimal.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::jobs {
@@ -135,8 +136,7 @@ tl::expected<MapFromPicture, QString> newMapFrom(const PictureMap& picture) {
   robot::NewMap& made = from.map;
   made.picture = std::move(*bytes);
   const auto size = sizeOfMapPicture(made.picture);
-  if (!size)
-    return no(QStringLiteral("%1: %2").arg(words::plainName(picture.path.toStdString()), size.error()));
+  if (!size) return no(words::about(words::plainName(picture.path.toStdString()), size.error()));
   made.name = picture.name.toStdString();
   made.grid = {size->width, size->height, picture.resolution_m, {picture.x_m, picture.y_m, 0}};
   if (auto opaque = opaqueOf(made.picture)) {

@@ -384,29 +384,27 @@ QString explanationText(const compare::Comparison& comparison, const geometry::V
     }
   }
   causes += explanation.everywhere;
-  QString text = compare::clustersText(comparison, view);
-  if (text.isEmpty()) text = FactsChangesText::tr("Changed");
+  QString what = compare::clustersText(comparison, view);
+  if (what.isEmpty()) what = FactsChangesText::tr("Changed");
+  QStringList said;
   if (causes.isEmpty()) {
-    text += QStringLiteral(". ");
-    text += explanation.elsewhere.isEmpty() ? FactsChangesText::tr("No fact that is kept of it changed.")
-                                            : FactsChangesText::tr("Nothing changed there that is known.");
+    said << words::asSentence(what)
+         << (explanation.elsewhere.isEmpty() ? FactsChangesText::tr("No fact that is kept of it changed.")
+                                             : FactsChangesText::tr("Nothing changed there that is known."));
   } else {
-    text = words::asSentence(words::about(text, firstChanges(causes)));
+    said << words::asSentence(words::about(what, firstChanges(causes)));
   }
   const auto unknown = std::count_if(explanation.near.begin(), explanation.near.end(),
                                      [](const QStringList& near) { return near.isEmpty(); });
   if (unknown > 0 && !causes.isEmpty() && explanation.everywhere.isEmpty())
-    text += QLatin1Char(' ') +
-            sentences::counted(FactsChangesText::tr("%1 clusters: nothing known changed there.", nullptr,
+    said << sentences::counted(FactsChangesText::tr("%1 clusters: nothing known changed there.", nullptr,
                                                     sentences::formOf(unknown)),
                                unknown);
   if (!explanation.somewhere.isEmpty())
-    text += QLatin1Char(' ') +
-            FactsChangesText::tr("There or elsewhere: %1.").arg(firstChanges(explanation.somewhere));
+    said << FactsChangesText::tr("There or elsewhere: %1.").arg(firstChanges(explanation.somewhere));
   if (!explanation.elsewhere.isEmpty())
-    text +=
-        QLatin1Char(' ') + FactsChangesText::tr("Elsewhere: %1.").arg(firstChanges(explanation.elsewhere));
-  return text;
+    said << FactsChangesText::tr("Elsewhere: %1.").arg(firstChanges(explanation.elsewhere));
+  return words::paragraph(said);
 }
 
 }  // namespace mapwright::suite

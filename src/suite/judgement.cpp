@@ -7,6 +7,8 @@
 #include "disk/read_file.h"
 #include "sentences/fault_sentence.h"
 #include "suite/facts_changes.h"
+#include "words/listed.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::suite {
 namespace {
@@ -56,25 +58,22 @@ std::optional<Facts> expectedFacts(const Judgement& judgement) {
 void explain(const Judgement& judgement, const Facts& facts, ViewOutcome& outcome) {
   const compare::Comparison& comparison = *judgement.comparison;
   Explanation explanation;
-  QString why = compare::clustersText(comparison, facts.view);
-  if (!why.isEmpty()) why += QLatin1Char('.');
+  QString why = words::asSentence(compare::clustersText(comparison, facts.view));
   const QString kept = factsBeside(judgement.expected);
   if (QFileInfo::exists(kept)) {
     const auto before = factsIn(kept);
     if (before && !before->picture.empty() && before->picture != sumOf(judgement.expected)) {
-      why += QLatin1Char(' ') +
-             JudgementText::tr("The facts beside %1 are of another picture.").arg(judgement.expected);
+      why = words::paragraph(
+          {why, JudgementText::tr("The facts beside %1 are of another picture.").arg(judgement.expected)});
     } else if (before && facts.view) {
       explanation = explained(comparison, *facts.view, changesBetween(*before, facts));
       why = explanationText(comparison, *facts.view, explanation);
     } else if (!before) {
-      why += QLatin1Char(' ') + QStringLiteral("%1: %2").arg(kept, before.error());
+      why = words::paragraph({why, words::about(kept, before.error())});
     }
   }
-  outcome.sentence =
-      QStringList{compare::sizesText(comparison), why, compare::amountText(comparison) + QLatin1Char('.')}
-          .join(QLatin1Char(' '))
-          .trimmed();
+  outcome.sentence = words::paragraph(
+      {compare::sizesText(comparison), why, words::asSentence(compare::amountText(comparison))});
   outcome.clusters = clusterRows(comparison, facts.view, explanation);
   outcome.everywhere = explanation.everywhere;
   outcome.somewhere = explanation.somewhere;

@@ -11,7 +11,8 @@
 #include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
-#include "words/sentences.h"
+#include "words/listed.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::ui {
 namespace {
@@ -149,9 +150,7 @@ void Carrying::show() {
   CarryShown shown{.said = said_, .editable = editable()};
   if (looked_at_ && !any) shown.said = words_.looking;
   if (any) shown.said = carrySumText(rows());
-  if (any && !besides_.isEmpty())
-    shown.said =
-        QString::fromStdString(words::asSentence(shown.said.toStdString())) + QLatin1Char(' ') + besides_;
+  if (any && !besides_.isEmpty()) shown.said = words::paragraph({words::asSentence(shown.said), besides_});
   if (any && changed)
     shown.said = tr("The map on screen has changed since then. As it was: %1").arg(shown.said);
   if (shown.said.isEmpty()) shown.said = words_.hint;

@@ -11,7 +11,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "words/listed.h"
-#include "words/sentences.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::ui {
 
@@ -147,9 +147,8 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
   for (std::size_t i = 1; i < std::min(kMostOthers, known.conditions.size()); ++i)
     others << safetyWord(known.conditions[i]);
   if (!others.isEmpty())
-    text.sentence = SafetyBadgeText::tr("%1 Also: %2")
-                        .arg(QString::fromStdString(words::asSentence(text.sentence.toStdString())),
-                             words::listed(others));
+    text.sentence = words::paragraph(
+        {words::asSentence(text.sentence), SafetyBadgeText::tr("Also: %1").arg(words::listed(others))});
   if (known.as_of)
     text.sentence = SafetyBadgeText::tr("As of %1: %2").arg(clock(*known.as_of, now), text.sentence);
   return text;

@@ -38,6 +38,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/view/map_overlay.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -91,11 +92,13 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::Load:
       ask(ChangeDialog::tr("Load on the robot"),
-          (current ? ChangeDialog::tr("The robot will switch from %2 to %1. Its current task may be aborted.")
+          words::paragraph(
+              {current
+                   ? ChangeDialog::tr("The robot will switch from %2 to %1. Its current task may be aborted.")
                          .arg(name, present)
                    : ChangeDialog::tr("The robot will switch to %1. Its current task may be aborted.")
-                         .arg(name)) +
-              QLatin1Char(' ') + jobs::poseWarning(),
+                         .arg(name),
+               jobs::poseWarning()}),
           ChangeDialog::tr("Load"), ChangeDialog::tr("The robot now uses %1."));
       question.ends_something = true;
       break;
@@ -606,8 +609,9 @@ void AdministrationController::showQuestion(MapChange change, const map::Catalog
   question.asks_place = change == MapChange::Load && robots->loadAsksForPlace();
   if (change == MapChange::Save &&
       robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving) {
-    question.text += QLatin1Char(' ') +
-                     ChangeDialog::tr("Saving ends the mapping: the robot cannot continue it afterwards.");
+    question.text = words::paragraph(
+        {question.text,
+         ChangeDialog::tr("Saving ends the mapping: the robot cannot continue it afterwards.")});
     question.accept = ChangeDialog::tr("Save and end the mapping");
     question.ends_something = true;
   }

@@ -237,15 +237,14 @@ void ExpectedController::onPicture() {
   QString lacks;
   const auto silent = silentOnline(done->session);
   if (!done->shot.complete())
-    lacks = QLatin1Char(' ') +
-            (done->end == shot::EndOfWaiting::LinkLost
+    lacks = (done->end == shot::EndOfWaiting::LinkLost
                  ? tr("The robot is not connected, so not everything has arrived.")
              : silent ? tr("Nothing has come from the robot since %1, so not everything has arrived.")
                             .arg(QLocale::c().toString(*silent, QStringLiteral("HH:mm:ss")))
                       : tr("Not everything had arrived within %1 s.").arg(QString::number(kExpectedWithinS)));
   share_.startLong([this, folder, expected = done->expected, actual, facts, lacks] {
     Compared compared = compare(expected, actual, facts);
-    compared.sentence += lacks;
+    compared.sentence = words::paragraph({compared.sentence, lacks});
     QMetaObject::invokeMethod(
         this, [this, compared] { compared.problem.isEmpty() ? show(compared) : report(compared.problem); },
         Qt::QueuedConnection);

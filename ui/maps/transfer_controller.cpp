@@ -360,11 +360,9 @@ void TransferController::send(const robot::NewMap& map) {
 void TransferController::reportAdded(const QString& name, const QStringList& odd, const QString& also) {
   context_.overlay.toasts()->add(
       odd.isEmpty() ? Mark::Good : Mark::Warning,
-      (odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
-                     : QStringList{tr("The robot accepted %1, but stored it differently: %2.")
-                                       .arg(name, words::joined(odd))})
-          .join(QLatin1Char(' '))
-          .trimmed());
+      words::paragraph(odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
+                                     : QStringList{tr("The robot accepted %1, but stored it differently: %2.")
+                                                       .arg(name, words::joined(odd))}));
   if (session::Session* const session = context_.current.session()) session->catalogue().refresh();
   dialog_->accept();
 }

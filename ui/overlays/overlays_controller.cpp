@@ -349,7 +349,7 @@ void OverlaysController::showReview() {
   if (dock_->hasUnsavedFlaws()) notes << tr("Some of these have flaws: see the panel Overlays.");
   if (const QString why = notChecked(); !why.isEmpty()) notes << why;
   review_ = new OverlayReview(mapName(), session_->robot().isLocal() ? QString() : context_.current.called(),
-                              changesToSave(), notes.join(QLatin1Char(' ')), &context_.window);
+                              changesToSave(), words::paragraph(notes), &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
     review_ = nullptr;
     if (opened != opened_) return;

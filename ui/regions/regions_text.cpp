@@ -8,6 +8,7 @@
 
 #include "regions/region_sentence.h"
 #include "regions/region_sheet.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -91,23 +92,20 @@ QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot:
                "The known part covers %1. It may be larger: the robot does not report its size.")
         .arg(rectangleText(*map, reach));
   }
-  QString text =
+  QStringList said{
       MapByRegionsText::tr("The robot reports its size as %1: %2 × %3 cells, about %4 over the network.")
           .arg(areaText(extentOf(*extent)), countText(extent->grid.width), countText(extent->grid.height),
-               bytesText(extent->about_bytes));
+               bytesText(extent->about_bytes))};
   const geometry::WorldRect told = extent->grid.bounds().grown(extent->grid.resolution_m);
   if (!reach.empty() && !(told.contains(Eigen::Vector2d(reach.min_x, reach.min_y)) &&
                           told.contains(Eigen::Vector2d(reach.max_x, reach.max_y))))
-    text +=
-        QLatin1Char(' ') + MapByRegionsText::tr("Regions outside of that have been received: it is larger.");
-  if (extent->most_bytes > 0 && extent->about_bytes > extent->most_bytes) {
-    text +=
-        QLatin1Char(' ') +
-        MapByRegionsText::tr(
-            "The link accepts at most %1 per message: the transfer may fail, and then nothing is received.")
-            .arg(bytesText(extent->most_bytes));
-  }
-  return text;
+    said << MapByRegionsText::tr("Regions outside of that have been received: it is larger.");
+  if (extent->most_bytes > 0 && extent->about_bytes > extent->most_bytes)
+    said << MapByRegionsText::tr(
+                "The link accepts at most %1 per message: the transfer may fail, and then nothing is "
+                "received.")
+                .arg(bytesText(extent->most_bytes));
+  return words::paragraph(said);
 }
 
 QString notWholeReason(const std::optional<robot::MapExtent>& extent) {

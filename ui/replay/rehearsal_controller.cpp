@@ -34,6 +34,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -344,8 +345,7 @@ map::MapIdentity RehearsalController::drivenOn() const {
 void RehearsalController::onRehearsed(const carry::Rehearsed& way) {
   const QString lies =
       laid_ ? tr("It was moved as the reference map lies.") : tr("It lies as it was recorded.");
-  QString said = QStringLiteral("%1: %2 %3").arg(called(), carry::rehearsedText(way), lies);
-  if (!lost_.isEmpty()) said += QLatin1Char(' ') + lost_;
+  const QString said = words::about(called(), words::paragraph({carry::rehearsedText(way), lies, lost_}));
   if (way.points == 0) return fail(said, said);
   const bool edited = std::exchange(edited_, false);
   good_ = Good{path_, bag_, track_file_, lost_, said, *ground_, way.stretches, way.crossed()};
@@ -371,7 +371,7 @@ void RehearsalController::fail(const QString& why, const QString& why_nothing) {
     good_.reset();
     return forget(why_nothing.isEmpty() ? why : why_nothing);
   }
-  const QString of = called(), start = why.startsWith(of) ? why : QStringLiteral("%1: %2").arg(of, why);
+  const QString of = called(), start = why.startsWith(of) ? why : words::about(of, why);
   path_ = good_->path;
   bag_ = good_->bag;
   forget({});
@@ -380,9 +380,9 @@ void RehearsalController::fail(const QString& why, const QString& why_nothing) {
   ground_ = good_->ground;
   edited_ = good_->edited;
   const QString still = tr("Still shown: %1").arg(good_->said);
-  show(QStringLiteral("%1 %2").arg(
-      start,
-      edited_ ? tr("The map on screen has changed since then. As it was: %1").arg(good_->said) : still));
+  show(words::paragraph(
+      {start,
+       edited_ ? tr("The map on screen has changed since then. As it was: %1").arg(good_->said) : still}));
 }
 
 void RehearsalController::onEdited() {

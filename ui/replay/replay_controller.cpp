@@ -41,6 +41,7 @@
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
 #include "words/file_name.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -440,28 +441,25 @@ void ReplayController::refresh() {
   if (robot && clock_->isOpen()) {
     notice.mark = Mark::Busy;
     // Of a file there is none that could be.
-    notice.sentence = (robot->isLocal() ? tr("Replay of %1, not live.")
-                                        : tr("Replay of %1, not live. The robot is not changed."))
-                          .arg(bagCalled(*robot));
+    QStringList said{(robot->isLocal() ? tr("Replay of %1, not live.")
+                                       : tr("Replay of %1, not live. The robot is not changed."))
+                         .arg(bagCalled(*robot))};
     // Nothing may look as if it had been recorded.
     const session::MapSlot& slot = context_.current.session()->wholeMap();
     const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
-    if (mapsInView(context_.scene).whole && of_now)
-      notice.sentence += QLatin1Char(' ') + tr("The map is the robot's current one.");
+    if (mapsInView(context_.scene).whole && of_now) said << tr("The map is the robot's current one.");
     if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
-      notice.sentence += QLatin1Char(' ') + tr("The bag contains no map up to this time.");
+      said << tr("The bag contains no map up to this time.");
     const std::optional<robot::BagInfo>& info = clock_->reading()->info();
     if (const robot::BagAway* const away = info ? info->awayAt(clock_->at()) : nullptr)
-      notice.sentence +=
-          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing was recorded at this time.")
-                                 .arg(clockText(away->from_s, 0));
+      said << tr("No connection to the robot since %1: nothing was recorded at this time.")
+                  .arg(clockText(away->from_s, 0));
     if (info && info->interrupted)
-      notice.sentence +=
-          QLatin1Char(' ') +
-          tr("The recording was interrupted at %1, or is still going on.").arg(clockText(info->end_s, 0));
+      said << tr("The recording was interrupted at %1, or is still going on.").arg(clockText(info->end_s, 0));
     if (info && info->repair && info->repair->broke_off_s)
-      notice.sentence += QLatin1Char(' ') + tr("The recording was cut off at %1 and has been repaired.")
-                                                .arg(clockText(*info->repair->broke_off_s, 0));
+      said << tr("The recording was cut off at %1 and has been repaired.")
+                  .arg(clockText(*info->repair->broke_off_s, 0));
+    notice.sentence = words::paragraph(said);
     notice.offer = backWords();
     notice.accept = [this] { back(); };
     notice.closable = true;

@@ -30,6 +30,7 @@
 #include "ui/view/on_screen.h"
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -339,8 +340,8 @@ void ConnectionController::goBackTo(const QString& address) {
 void ConnectionController::startWith(const QString& address) {
   const auto error = connectTo(address);
   if (!error) return;
-  context_.notices.set(NoticeRank::Link, {Mark::Bad, QStringLiteral("%1: %2").arg(address, *error),
-                                          tr("Connect…"), [this] { openDialog(); }});
+  context_.notices.set(NoticeRank::Link,
+                       {Mark::Bad, words::about(address, *error), tr("Connect…"), [this] { openDialog(); }});
 }
 
 void ConnectionController::retry() {
@@ -526,7 +527,7 @@ void ConnectionController::refreshNotices() {
     link.sentence = lostConnectionSentence(*since, QDateTime::currentDateTime(),
                                            local ? context_.current.called() : QString());
     if (refused && connection.reason.any())
-      link.sentence += QLatin1Char(' ') + sentences::sentenceOf(connection.reason);
+      link.sentence = words::paragraph({link.sentence, sentences::sentenceOf(connection.reason)});
     if (wantsSecret(connection)) {
       link.offer = tr("Enter secret…");
       link.accept = [this] { enterSecret(); };

@@ -36,14 +36,12 @@ QString timesText(const session::LoggedProblem& problem) {
   const auto at = [](const QDateTime& time) {
     return QLocale::c().toString(time, QStringLiteral("yyyy-MM-dd HH:mm:ss"));
   };
-  QString text = problem.count > 1
-                     ? ProblemsModel::tr("First %1, last %2.").arg(at(problem.first), at(problem.last))
-                     : ProblemsModel::tr("At %1.").arg(at(problem.last));
-  if (problem.resolved) {
-    text += QLatin1Char(' ') +
-            ProblemsModel::tr("Resolved %1, after %2.").arg(at(*problem.resolved), durationText(problem));
-  }
-  return text;
+  const QString text = problem.count > 1
+                           ? ProblemsModel::tr("First %1, last %2.").arg(at(problem.first), at(problem.last))
+                           : ProblemsModel::tr("At %1.").arg(at(problem.last));
+  if (!problem.resolved) return text;
+  return words::paragraph(
+      {text, ProblemsModel::tr("Resolved %1, after %2.").arg(at(*problem.resolved), durationText(problem))});
 }
 
 QString severityWord(map::Severity severity) {

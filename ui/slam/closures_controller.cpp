@@ -14,6 +14,7 @@
 #include "ui/shell/viewpoint.h"
 #include "ui/slam/closures_dock.h"
 #include "ui/view/map_view.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -170,7 +171,7 @@ QString ClosuresController::summary() const {
     said << sentences::counted(tr("%1 are not listed: they have no valid pose.", nullptr,
                                   sentences::formOf(qint64(closures.without_pose))),
                                qint64(closures.without_pose));
-  return said.join(QLatin1Char(' '));
+  return words::paragraph(said);
 }
 
 void ClosuresController::show(const ClosureRow& row) {

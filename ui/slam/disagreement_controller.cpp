@@ -22,6 +22,7 @@
 #include "ui/slam/place_square.h"
 #include "ui/view/map_view.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 namespace {
@@ -242,7 +243,7 @@ QString DisagreementController::sentence() const {
     const auto nowhere = qint64(survey.unplaceable().size());
     add(nowhere, tr("%1 submaps are too far away to count.", nullptr, sentences::formOf(nowhere)));
   }
-  return parts.join(QLatin1Char(' '));
+  return words::paragraph(parts);
 }
 
 void DisagreementController::showFindings() {

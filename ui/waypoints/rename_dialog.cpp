@@ -25,6 +25,7 @@
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -249,11 +250,11 @@ void RenameDialog::refreshStatus() {
   QStringList texts{sentences::counted(tr("%1 names change.", nullptr, sentences::formOf(changed)), changed)};
   if (doubled > 0)
     texts << sentences::counted(tr("%1 names would not be unique.", nullptr, sentences::formOf(doubled)),
-                                doubled) +
-                 (may_double ? QString() : QLatin1Char(' ') + tr("This robot refuses that."));
+                                doubled)
+          << (may_double ? QString() : tr("This robot refuses that."));
   if (empty > 0)
     texts << sentences::counted(tr("%1 names would be empty.", nullptr, sentences::formOf(empty)), empty);
-  status_->setText(texts.join(QLatin1Char(' ')));
+  status_->setText(words::paragraph(texts));
   const bool bad = empty > 0 || (doubled > 0 && !may_double);
   setTextColor(*status_, bad           ? appColors().error_text
                          : doubled > 0 ? appColors().warning_text

@@ -454,7 +454,7 @@ QString WaypointReview::statusText() const {
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
   // Only the reason: the result of each is shown in its row.
   const auto why = list_->stoppedBy();
-  return why ? reasonText(*why) + QLatin1Char(' ') + text : text;
+  return why ? words::paragraph({reasonText(*why), text}) : text;
 }
 
 QString WaypointReview::refusedText() const {

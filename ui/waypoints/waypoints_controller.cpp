@@ -35,6 +35,7 @@
 #include "ui/waypoints/waypoint_transfer.h"
 #include "ui/waypoints/waypoints_dock.h"
 #include "ui/waypoints/waypoints_on_map.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -190,7 +191,7 @@ void WaypointsController::onLink() {
   if (state.phase == robot::ConnectionPhase::Online) return review_->setLinkTrouble({});
   QStringList why{tr("There is no connection to the robot, so nothing can be sent at present.")};
   if (state.reason.any()) why << sentences::sentenceOf(state.reason);
-  review_->setLinkTrouble(why.join(QLatin1Char(' ')));
+  review_->setLinkTrouble(words::paragraph(why));
 }
 
 void WaypointsController::recall(const QSettings& settings) { placing_->recall(settings); }

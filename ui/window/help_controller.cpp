@@ -19,6 +19,7 @@
 #include "ui/window/shortcut_sheet.h"
 #include "ui/window/support_text.h"
 #include "ui/window/watched_application.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -59,13 +60,14 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
                .tip = tr("Threads, memory and messages: usage, limits and rates"),
                .menu = {MenuGroup::About, 5}},
               this, &HelpController::showDiagnostics);
-  actions.add({.id = "copyDiagnostics",
-               .text = tr("&Copy diagnostics"),
-               .icon = "copy",
-               .tip = tr("Versions, system, numbers and problems as a text, for people who help.") +
-                      QLatin1Char(' ') + leftOutSentence(),
-               .menu = {MenuGroup::About, 7}},
-              this, &HelpController::copyDiagnostics);
+  actions.add(
+      {.id = "copyDiagnostics",
+       .text = tr("&Copy diagnostics"),
+       .icon = "copy",
+       .tip = words::paragraph(
+           {tr("Versions, system, numbers and problems as a text, for people who help."), leftOutSentence()}),
+       .menu = {MenuGroup::About, 7}},
+      this, &HelpController::copyDiagnostics);
   actions.add({.id = "about",
                .text = tr("&About mapwright"),
                .icon = "info",
