@@ -7281,6 +7281,14 @@
     </message>
 </context>
 <context>
+    <name>Page</name>
+    <message>
+        <source>en</source>
+        <comment>the language of this text, as web pages name it</comment>
+        <translation>zh-CN</translation>
+    </message>
+</context>
+<context>
     <name>Placing</name>
     <message>
         <source>It is in a wall.</source>
@@ -8976,6 +8984,82 @@ Do you want to delete it anyway?</source>
     <message>
         <source>closing</source>
         <translation>正在关闭</translation>
+    </message>
+    <message>
+        <source>charging</source>
+        <translation>充电中</translation>
+    </message>
+    <message>
+        <source>discharging</source>
+        <translation>放电中</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>已充满</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>remote</source>
+        <translation>遥控</translation>
+    </message>
+    <message>
+        <source>positioning</source>
+        <translation>定位</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>移动中</translation>
+    </message>
+    <message>
+        <source>succeeded</source>
+        <translation>成功</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>awake</source>
+        <translation>已唤醒</translation>
+    </message>
+    <message>
+        <source>awakening</source>
+        <translation>正在唤醒</translation>
+    </message>
+    <message>
+        <source>sleeping</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>jacking_up</source>
+        <translation>正在顶升</translation>
+    </message>
+    <message>
+        <source>jacking_down</source>
+        <translation>正在下降</translation>
     </message>
 </context>
 <context>
@@ -15479,14 +15563,6 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <translation>%1
 %2
 双击在这里打开。这不在机器人上加载或改变任何内容。</translation>
-    </message>
-    <message>
-        <source>, current</source>
-        <translation>，当前</translation>
-    </message>
-    <message>
-        <source>, open</source>
-        <translation>，已打开</translation>
     </message>
     <message>
         <source>current</source>
@@ -24987,30 +25063,6 @@ Qt %2，编译时为 %3</translation>
         <translation>分块</translation>
     </message>
     <message>
-        <source>charging</source>
-        <translation>充电中</translation>
-    </message>
-    <message>
-        <source>discharging</source>
-        <translation>放电中</translation>
-    </message>
-    <message>
-        <source>full</source>
-        <translation>已充满</translation>
-    </message>
-    <message>
-        <source>auto</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>manual</source>
-        <translation>手动</translation>
-    </message>
-    <message>
-        <source>remote</source>
-        <translation>遥控</translation>
-    </message>
-    <message>
         <source>reconnecting%1</source>
         <translation>正在重新连接%1</translation>
     </message>
@@ -25021,6 +25073,10 @@ Qt %2，编译时为 %3</translation>
     <message>
         <source>reconnecting in %1 s%2</source>
         <translation>%1 s 后重新连接%2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>

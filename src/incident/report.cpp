@@ -138,7 +138,7 @@ void writeState(page::Page& page, const Run& run) {
          {{ReportText::tr("lost since %1 UTC: nothing was recorded").arg(utcText(away->from_s)), Tone::Bad}});
   fact(ReportText::tr("Position"), {live.robot_pose ? Cell(poseText(*live.robot_pose)) : notSaid()});
   fact(ReportText::tr("Position quality"), qualityCells(live.slam));
-  if (!live.slam.state.empty()) fact(ReportText::tr("SLAM"), {named(live.slam.state)});
+  if (!live.slam.state.empty()) fact(ReportText::tr("SLAM"), {named(sentences::stateWord(live.slam.state))});
   const auto speed = valueAt(run, series::Quantity::Speed);
   fact(ReportText::tr("Speed"), {speed ? Cell(ReportText::tr("%1 m/s").arg(*speed, 0, 'f', 2)) : notSaid()});
   fact(ReportText::tr("Planner"), plannerCells(live));
@@ -157,20 +157,22 @@ void writeState(page::Page& page, const Run& run) {
   std::vector<Cell> battery;
   if (live.battery && live.battery->level)
     battery.emplace_back(ReportText::tr("%1 %").arg(*live.battery->level * 100, 0, 'f', 1));
-  if (live.battery && !live.battery->supply.empty()) battery.emplace_back(named(live.battery->supply));
+  if (live.battery && !live.battery->supply.empty())
+    battery.emplace_back(named(sentences::stateWord(live.battery->supply)));
   if (battery.empty()) battery.push_back(notSaid());
   fact(ReportText::tr("Battery"), std::move(battery));
   if (live.sensors && !live.sensors->power_state.empty())
-    fact(ReportText::tr("Sensors"), {named(live.sensors->power_state)});
+    fact(ReportText::tr("Sensors"), {named(sentences::stateWord(live.sensors->power_state))});
   if (live.jack && !live.jack->state.empty()) {
-    std::vector<Cell> jack{named(live.jack->state)};
+    std::vector<Cell> jack{named(sentences::stateWord(live.jack->state))};
     if (live.jack->progress)
       jack.emplace_back(ReportText::tr("%1 % up").arg(*live.jack->progress * 100, 0, 'f', 0));
     fact(ReportText::tr("Jack"), std::move(jack));
   }
   if (live.towing && !live.towing->state.empty()) {
     const map::TowingState& towing = *live.towing;
-    std::vector<Cell> cells{{named(towing.state), towing.state == "error" ? Tone::Bad : Tone::Plain}};
+    std::vector<Cell> cells{
+        {named(sentences::stateWord(towing.state)), towing.state == "error" ? Tone::Bad : Tone::Plain}};
     if (towing.cargo_detected)
       cells.emplace_back(*towing.cargo_detected ? ReportText::tr("cargo detected")
                                                 : ReportText::tr("no cargo"));
@@ -219,7 +221,8 @@ void writeSafety(page::Page& page, const Run& run) {
                                         : Cell(ReportText::tr("not pressed"));
   facts.push_back({ReportText::tr("Emergency stop"), {stop}});
   Cell control = notSaid();
-  if (live.wheels && !live.wheels->control_mode.empty()) control = Cell(named(live.wheels->control_mode));
+  if (live.wheels && !live.wheels->control_mode.empty())
+    control = Cell(named(sentences::stateWord(live.wheels->control_mode)));
   facts.push_back({ReportText::tr("Control"), {control}});
   std::vector<Cell> conditions;
   for (const auto& [condition, code_since_s] : run.conditions.all) {
@@ -344,7 +347,8 @@ void writeOnTheWay(page::Page& page, const Run& run) {
       QString near = thing.away_m > 0 ? ReportText::tr("%1 beside it").arg(metres(thing.away_m))
                      : thing.here     ? ReportText::tr("the robot is there")
                                       : ReportText::tr("on the path");
-      if (!thing.state.empty()) near += QStringLiteral(", ") + named(thing.state);
+      if (!thing.state.empty())
+        near = ReportText::tr("%1, %2").arg(near, named(sentences::doorWord(thing.state)));
       page.row({page::figure(metres(thing.along_m)), Cell(nameOf(thing)), Cell(near)});
     }
     page.endTable();
@@ -520,18 +524,16 @@ bool writeReport(QIODevice& out, const Report& report) {
           "was so at the same time; only what the robot says itself is a reason."),
       Tone::Muted);
   if (report.against) {
-    QString beside = ReportText::tr("Beside it: %1 at %2 UTC.")
-                         .arg(named(report.against->name), utcText(report.against->at_s));
+    QStringList beside{ReportText::tr("Beside it: %1 at %2 UTC.")
+                           .arg(named(report.against->name), utcText(report.against->at_s))};
     if (report.against_m)
-      beside +=
-          QLatin1Char(' ') +
-          (report.nearest ? ReportText::tr("That is when this run came nearest to the same place: %1 away.")
-                          : ReportText::tr("Its robot is %1 away from the same place."))
-              .arg(metres(*report.against_m));
+      beside << (report.nearest
+                     ? ReportText::tr("That is when this run came nearest to the same place: %1 away.")
+                     : ReportText::tr("Its robot is %1 away from the same place."))
+                    .arg(metres(*report.against_m));
     if (report.against->map_name != run.map_name)
-      beside += QLatin1Char(' ') +
-                ReportText::tr("The two runs use different maps, so their positions may not fit.");
-    page.paragraph(beside);
+      beside << ReportText::tr("The two runs use different maps, so their positions may not fit.");
+    page.paragraph(words::paragraph(beside));
   }
   const auto both = [&](const QString& title, const std::function<void(const Run&)>& write) {
     page.section(title);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 
 #include "words/qt_plain.h"
@@ -101,9 +102,10 @@ Page::Page(QIODevice& out, const QString& title, Scripts scripts) : out_(out), s
     allowed = "; script-src 'sha256-" +
               QCryptographicHash::hash(QByteArray(kSwipe), QCryptographicHash::Sha256).toBase64() + '\'';
   put(QStringLiteral(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'"));
+          "<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
+          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+          "style-src 'unsafe-inline'")
+          .arg(QCoreApplication::translate("Page", "en", "the language of this text, as web pages name it")));
   put(allowed);
   put(
       QStringLiteral("\">\n"

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "sentences/state_words.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::replay {
@@ -26,8 +27,9 @@ QString eventText(const Event& event) {
                  ? TimelineEventsText::tr("Alert %1 ended").arg(event.code)
                  : TimelineEventsText::tr("Alert %1 ended: %2").arg(QString::number(event.code), text);
     case EventKind::MoveState:
-      return text.isEmpty() ? TimelineEventsText::tr("Planner: idle")
-                            : TimelineEventsText::tr("Planner: %1").arg(text);
+      return text.isEmpty()
+                 ? TimelineEventsText::tr("Planner: idle")
+                 : TimelineEventsText::tr("Planner: %1").arg(sentences::stateWord(text.toStdString()));
     case EventKind::PositionJump:
       return TimelineEventsText::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
     case EventKind::MapChanged:

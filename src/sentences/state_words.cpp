@@ -117,6 +117,24 @@ QString plannerWord(const std::string& move_state) {
   return StateText::tr("\"%1\"").arg(words::plainName(move_state));
 }
 
+QString stateWord(const std::string& state) {
+  for (const char* word :
+       {QT_TRANSLATE_NOOP("State", "charging"),    QT_TRANSLATE_NOOP("State", "discharging"),
+        QT_TRANSLATE_NOOP("State", "full"),        QT_TRANSLATE_NOOP("State", "auto"),
+        QT_TRANSLATE_NOOP("State", "manual"),      QT_TRANSLATE_NOOP("State", "remote"),
+        QT_TRANSLATE_NOOP("State", "positioning"), QT_TRANSLATE_NOOP("State", "idle"),
+        QT_TRANSLATE_NOOP("State", "moving"),      QT_TRANSLATE_NOOP("State", "succeeded"),
+        QT_TRANSLATE_NOOP("State", "failed"),      QT_TRANSLATE_NOOP("State", "cancelled"),
+        QT_TRANSLATE_NOOP("State", "running"),     QT_TRANSLATE_NOOP("State", "finished"),
+        QT_TRANSLATE_NOOP("State", "awake"),       QT_TRANSLATE_NOOP("State", "awakening"),
+        QT_TRANSLATE_NOOP("State", "sleeping"),    QT_TRANSLATE_NOOP("State", "ok"),
+        QT_TRANSLATE_NOOP("State", "hold"),        QT_TRANSLATE_NOOP("State", "jacking_up"),
+        QT_TRANSLATE_NOOP("State", "jacking_down")}) {
+    if (state == word) return StateText::tr(word);
+  }
+  return words::plainName(state);
+}
+
 QString doorWord(const std::string& state) {
   if (state.empty() || state == "unknown") return StateText::tr("unknown");
   if (state == "open") return StateText::tr("open");

@@ -2,9 +2,12 @@
 #include <QCoreApplication>
 #include <QTest>
 
+#include "fault/fault.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/language.h"
 #include "sentences/overlay_name.h"
 #include "sentences/plural.h"
+#include "sentences/state_words.h"
 #include "test_program.h"
 
 namespace test_language {
@@ -63,6 +66,21 @@ class TestLanguage : public QObject {
     sentences::speak(kChinese);
     QVERIFY(sentences::sourcesOf(wall()).contains(QStringLiteral("Virtual wall")));
     QVERIFY(sentences::sourcesOf(QStringLiteral("Virtual wall")).isEmpty());
+  }
+
+  void whatTheSystemSaysIsTranslatedAsWell() {
+    const Fault kept(fault::said("Permission denied")), robots(fault::said("Door is stuck"));
+    QCOMPARE(sentences::sentenceOf(kept), QStringLiteral("Permission denied."));
+    sentences::speak(kChinese);
+    QCOMPARE(sentences::sentenceOf(kept), QStringLiteral("权限不足。"));
+    QCOMPARE(sentences::sentenceOf(robots), QStringLiteral("Door is stuck."));
+  }
+
+  void statesThatAreKnownAreTranslated() {
+    QCOMPARE(sentences::stateWord("moving"), QStringLiteral("moving"));
+    sentences::speak(kChinese);
+    QCOMPARE(sentences::stateWord("moving"), QStringLiteral("移动中"));
+    QCOMPARE(sentences::stateWord("dancing"), QStringLiteral("dancing"));
   }
 
   void whatQtSaysIsTranslatedAsWell() {

@@ -10,8 +10,10 @@
 
 #include "robot/sends_map.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/state_words.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::ui {
@@ -50,7 +52,7 @@ QString mapDetail(const map::CatalogueEntry& entry) {
   if (date && *date > 0 && *date < 4e9) {
     parts << QDateTime::fromSecsSinceEpoch(qint64(*date)).toString(QStringLiteral("yyyy-MM-dd"));
   }
-  if (!entry.state.empty()) parts << plainWords(entry.state, 40);
+  if (!entry.state.empty()) parts << plainWords(sentences::stateWord(entry.state), 40);
   if (entry.grid && entry.grid->width > 0 && entry.grid->height > 0) {
     parts << QStringLiteral("%1 x %2").arg(countText(entry.grid->width), countText(entry.grid->height));
   }
@@ -200,6 +202,12 @@ int MapsModel::rowCount(const QModelIndex& parent) const { return parent.isValid
 QVariant MapsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= int(rows_.size())) return {};
   const Row& row = rows_[std::size_t(index.row())];
+  const auto badges = [&row] {
+    QStringList words;
+    if (row.current) words << tr("current");
+    if (row.open) words << tr("open");
+    return words;
+  };
   switch (role) {
     case Qt::DisplayRole:
       return row.title;
@@ -217,22 +225,19 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
                    : tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot."))
               .arg(row.title, row.detail) +
           noPictureReason(row));
-    case Qt::AccessibleTextRole:
-      return QStringLiteral("%1, %2%3%4")
-          .arg(row.title, row.detail, row.current ? tr(", current") : QString(),
-               row.open ? tr(", open") : QString());
+    case Qt::AccessibleTextRole: {
+      QStringList said{row.title};
+      if (!row.detail.isEmpty()) said << row.detail;
+      return words::listed(said + badges());
+    }
     case KindRole:
       return int(row.kind);
     case DetailRole:
       return row.detail;
     case NamelessRole:
       return row.nameless;
-    case BadgesRole: {
-      QStringList badges;
-      if (row.current) badges << tr("current");
-      if (row.open) badges << tr("open");
-      return badges;
-    }
+    case BadgesRole:
+      return badges();
     case CurrentRole:
       return row.current;
     case ThumbnailRole:

@@ -8,6 +8,7 @@
 
 #include "geometry/polyline.h"
 #include "sentences/state_words.h"
+#include "words/fixed.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
 
@@ -19,21 +20,17 @@ constexpr int kLongestValue = 200;
 
 QString plain(const std::string& text) { return plainWords(text, kLongestValue); }
 
-/// What robots commonly say of themselves; other words are shown as they come.
-QString stateWord(const std::string& state) {
-  for (const char* word :
-       {QT_TRANSLATE_NOOP("window", "charging"), QT_TRANSLATE_NOOP("window", "discharging"),
-        QT_TRANSLATE_NOOP("window", "full"), QT_TRANSLATE_NOOP("window", "auto"),
-        QT_TRANSLATE_NOOP("window", "manual"), QT_TRANSLATE_NOOP("window", "remote"),
-        QT_TRANSLATE_NOOP("window", "positioning")}) {
-    if (state == word) return QCoreApplication::translate("window", word);
-  }
-  return plain(state);
-}
+/// In the language spoken where it is known.
+QString stateWord(const std::string& state) { return plainWords(sentences::stateWord(state), kLongestValue); }
 
 QString number(double value, int decimals, const char* unit) {
   if (!std::isfinite(value)) return QStringLiteral("?");
   return QStringLiteral("%1 %2").arg(QString::number(value, 'f', decimals), QLatin1String(unit));
+}
+
+QString percent(double share) {
+  if (!std::isfinite(share)) return QStringLiteral("?");
+  return QCoreApplication::translate("window", "%1 %").arg(words::fixed(share * 100, 0));
 }
 
 class Section {
@@ -57,8 +54,7 @@ void addBattery(const map::BatteryState& battery, std::vector<StatusSection>& se
     const double level = std::clamp(*battery.level, 0.0, 1.0);
     const bool charging = battery.supply == "charging";
     const Mark mark = charging || level >= 0.2 ? Mark::None : level >= 0.1 ? Mark::Warning : Mark::Bad;
-    section.add(QT_TRANSLATE_NOOP("window", "Level"), QStringLiteral("%1 %").arg(qRound(level * 100)), mark,
-                level);
+    section.add(QT_TRANSLATE_NOOP("window", "Level"), percent(level), mark, level);
   }
   section.add(QT_TRANSLATE_NOOP("window", "Supply"), stateWord(battery.supply),
               battery.supply == "charging" ? Mark::Busy : Mark::None);
@@ -130,7 +126,7 @@ void addPlanning(const map::PlanningState& planning, std::vector<StatusSection>&
   }
   section.add(QT_TRANSLATE_NOOP("window", "Action"), action);
   const std::string& state = planning.move_state;
-  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(state),
+  section.add(QT_TRANSLATE_NOOP("window", "State"), stateWord(state),
               state == "failed"      ? Mark::Bad
               : state == "moving"    ? Mark::Busy
               : state == "succeeded" ? Mark::Good
@@ -146,7 +142,7 @@ void addPlanning(const map::PlanningState& planning, std::vector<StatusSection>&
 
 void addPositioning(const map::GlobalPositioning& positioning, std::vector<StatusSection>& sections) {
   Section section(QT_TRANSLATE_NOOP("window", "Global positioning"));
-  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(positioning.state));
+  section.add(QT_TRANSLATE_NOOP("window", "State"), stateWord(positioning.state));
   if (positioning.score && std::isfinite(*positioning.score))
     section.add(QT_TRANSLATE_NOOP("window", "Score"), QString::number(*positioning.score, 'f', 2));
   if (positioning.needs_confirmation.value_or(false))
@@ -158,9 +154,9 @@ void addPositioning(const map::GlobalPositioning& positioning, std::vector<Statu
 
 void addJack(const map::JackState& jack, std::vector<StatusSection>& sections) {
   Section section(QT_TRANSLATE_NOOP("window", "Jack"));
-  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(jack.state));
+  section.add(QT_TRANSLATE_NOOP("window", "State"), stateWord(jack.state));
   if (jack.progress && std::isfinite(*jack.progress))
-    section.add(QT_TRANSLATE_NOOP("window", "Height"), number(*jack.progress * 100, 0, "%"));
+    section.add(QT_TRANSLATE_NOOP("window", "Height"), percent(*jack.progress));
   if (jack.weight && std::isfinite(*jack.weight))
     section.add(QT_TRANSLATE_NOOP("window", "Weight"), QString::number(*jack.weight, 'g', 6));
   if (jack.self_checking.value_or(false))
@@ -171,14 +167,14 @@ void addJack(const map::JackState& jack, std::vector<StatusSection>& sections) {
 
 void addTowing(const map::TowingState& towing, std::vector<StatusSection>& sections) {
   Section section(QT_TRANSLATE_NOOP("window", "Towing"));
-  section.add(QT_TRANSLATE_NOOP("window", "State"), plain(towing.state),
+  section.add(QT_TRANSLATE_NOOP("window", "State"), stateWord(towing.state),
               towing.state == "error" ? Mark::Bad : Mark::None);
   if (towing.cargo_detected)
     section.add(QT_TRANSLATE_NOOP("window", "Cargo"), *towing.cargo_detected
                                                           ? QCoreApplication::translate("window", "detected")
                                                           : QCoreApplication::translate("window", "none"));
   if (towing.progress && *towing.progress > 0 && *towing.progress < 1)
-    section.add(QT_TRANSLATE_NOOP("window", "Progress"), number(*towing.progress * 100, 0, "%"));
+    section.add(QT_TRANSLATE_NOOP("window", "Progress"), percent(*towing.progress));
   if (towing.error_code != 0 || !towing.error.empty()) {
     QString error = plain(towing.error);
     if (towing.error_code != 0)
@@ -209,7 +205,7 @@ std::vector<StatusSection> statusSections(const map::LiveState& live) {
   }
   if (live.sensors) {
     Section section(QT_TRANSLATE_NOOP("window", "Sensors"));
-    section.add(QT_TRANSLATE_NOOP("window", "Power"), plain(live.sensors->power_state));
+    section.add(QT_TRANSLATE_NOOP("window", "Power"), stateWord(live.sensors->power_state));
     section.addTo(sections);
   }
   if (live.jack) addJack(*live.jack, sections);
@@ -217,7 +213,7 @@ std::vector<StatusSection> statusSections(const map::LiveState& live) {
   if (live.global_positioning) addPositioning(*live.global_positioning, sections);
   if (live.barcode) {
     Section section(QT_TRANSLATE_NOOP("window", "Barcode"));
-    section.add(QT_TRANSLATE_NOOP("window", "State"), plain(live.barcode->state));
+    section.add(QT_TRANSLATE_NOOP("window", "State"), stateWord(live.barcode->state));
     section.add(QT_TRANSLATE_NOOP("window", "Id"), plain(live.barcode->id));
     section.addTo(sections);
   }
