@@ -34,14 +34,13 @@ std::unique_ptr<Speaker>& speaker() {
 }  // namespace
 
 void addLanguage(CLI::App& program, std::string& language) {
-  std::vector<std::string> codes;
-  for (const sentences::Language& each : sentences::languages()) codes.push_back(each.code.toStdString());
-  codes.emplace_back("system");
+  std::string codes;
+  for (const sentences::Language& each : sentences::languages()) codes += each.code.toStdString() + ',';
   program
       .add_option(std::string(kLanguageOption), language,
                   help(Text::tr("Language of all texts; without it the window has the one chosen in it, and "
                                 "commands speak English")))
-      ->check(CLI::IsMember(codes));
+      ->type_name("TEXT:{" + codes + "system}");  // languageTyped() refuses others
   for (CLI::App* command : program.get_subcommands({})) addLanguage(*command, language);
 }
 
@@ -49,6 +48,10 @@ void translateHeadings(CLI::App& program) {
   const auto formatter = program.get_formatter();
   formatter->label("Usage", help(Text::tr("Usage")));
   formatter->label("Positionals", help(Text::tr("Positionals")));
+  formatter->label("REQUIRED", help(Text::tr("REQUIRED", "of an option")));
+  formatter->label("Env", help(Text::tr("Env", "the variable of the environment that stands for an option")));
+  formatter->label("Needs", help(Text::tr("Needs", "another option")));
+  formatter->label("Excludes", help(Text::tr("Excludes", "another option")));
   for (CLI::Option* option : program.get_options()) {
     if (option->get_group() == "Options") option->group(help(Text::tr("Options")));
   }

@@ -4582,6 +4582,26 @@
         <source>%1: no connection within %2 s.</source>
         <translation>%1：%2 s 内没有建立连接。</translation>
     </message>
+    <message>
+        <source>REQUIRED</source>
+        <comment>of an option</comment>
+        <translation>必需</translation>
+    </message>
+    <message>
+        <source>Env</source>
+        <comment>the variable of the environment that stands for an option</comment>
+        <translation>环境变量</translation>
+    </message>
+    <message>
+        <source>Needs</source>
+        <comment>another option</comment>
+        <translation>需要</translation>
+    </message>
+    <message>
+        <source>Excludes</source>
+        <comment>another option</comment>
+        <translation>不可同时使用</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonText</name>

@@ -105,8 +105,9 @@ QString languageOfSystem() {
 
 std::optional<QString> languageCalled(const QString& typed) {
   if (typed == kSystem) return languageOfSystem();
-  const auto known = std::find_if(languages().begin(), languages().end(),
-                                  [&](const Language& each) { return each.code == typed; });
+  const auto known = std::find_if(languages().begin(), languages().end(), [&](const Language& each) {
+    return typed == each.code || typed == each.code.section(QLatin1Char('_'), 0, 0);
+  });
   return known == languages().end() ? std::nullopt : std::optional(known->code);
 }
 

@@ -28,6 +28,7 @@ class TestLanguage : public QObject {
   void languagesAreCalledByTheirCodes() {
     QCOMPARE(sentences::languages().front().code, QStringLiteral("en"));
     QCOMPARE(sentences::languageCalled(kChinese), kChinese);
+    QCOMPARE(sentences::languageCalled(QStringLiteral("zh")), kChinese);
     QCOMPARE(sentences::languageCalled(QStringLiteral("system")), sentences::languageOfSystem());
     for (const char* none : {"", "zh_TW", "de", "Chinese"})
       QVERIFY(!sentences::languageCalled(QLatin1String(none)));
