@@ -1,5 +1,7 @@
 // The window in Chinese: every panel opens, nothing on it is cut off, and what is looked for is found in both
 // languages.
+#include <functional>
+
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDockWidget>
@@ -19,9 +21,11 @@
 #include "app/display.h"
 #include "app/robot_access.h"
 #include "sentences/language.h"
+#include "session/submap_tally.h"
 #include "shown_window.h"
 #include "test_program.h"
 #include "ui/kit/actions.h"
+#include "ui/slam/submap_filter.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/language_controller.h"
 
@@ -125,6 +129,32 @@ class ChineseWindowTest : public QObject {
     return QTest::qWaitFor([&] { return shown->mapsSettled(); }, 60'000) ? std::move(shown) : nullptr;
   }
 
+  /// One after the other; each is shown to `look`, and closed.
+  void openDialogs(ui::MainWindow& window, const std::function<void(const QDialog&)>& look) {
+    QSet<QString> seen;
+    QTimer looks;
+    looks.setInterval(10);
+    connect(&looks, &QTimer::timeout, this, [&] {
+      for (QWidget* top : QApplication::topLevelWidgets()) {
+        auto* const dialog = qobject_cast<QDialog*>(top);
+        if (!dialog || !dialog->isVisible()) continue;
+        look(*dialog);
+        seen << dialog->windowTitle();
+        dialog->reject();
+      }
+    });
+    looks.start();
+    for (const char* id : kOpensDialogs) {
+      QAction* const action = window.actionList().find(QLatin1String(id));
+      QVERIFY2(action, id);
+      if (!action->isEnabled()) continue;
+      const auto before = seen.size();
+      action->trigger();
+      QTRY_VERIFY2(seen.size() > before, id);
+    }
+    QVERIFY2(seen.size() >= 6, qPrintable(QStringList(seen.begin(), seen.end()).join(QLatin1Char(' '))));
+  }
+
  private Q_SLOTS:
   void initTestCase() {
     (void)app::addLettersOf(QStringLiteral("zh_CN"));
@@ -172,32 +202,12 @@ class ChineseWindowTest : public QObject {
     const auto shown = show();
     QVERIFY(shown);
     QStringList cut;
-    QSet<QString> seen;
     int words_seen = 0;
-    QTimer looks;
-    looks.setInterval(10);
-    connect(&looks, &QTimer::timeout, this, [&] {
-      for (QWidget* top : QApplication::topLevelWidgets()) {
-        auto* const dialog = qobject_cast<QDialog*>(top);
-        if (!dialog || !dialog->isVisible()) continue;
-        for (const QString& each : cutBelow(*dialog, words_seen))
-          cut << dialog->windowTitle() + QStringLiteral(": ") + each;
-        seen << dialog->windowTitle();
-        dialog->reject();
-      }
+    openDialogs(shown->window(), [&](const QDialog& dialog) {
+      for (const QString& each : cutBelow(dialog, words_seen))
+        cut << dialog.windowTitle() + QStringLiteral(": ") + each;
     });
-    looks.start();
-    for (const char* id : kOpensDialogs) {
-      QAction* const action = shown->window().actionList().find(QLatin1String(id));
-      QVERIFY2(action, id);
-      if (!action->isEnabled()) continue;
-      const auto before = seen.size();
-      action->trigger();
-      QTRY_VERIFY2(seen.size() > before, id);
-    }
-    QVERIFY2(seen.size() >= 6, qPrintable(QStringList(seen.begin(), seen.end()).join(QLatin1Char(' '))));
     QVERIFY2(words_seen > 30, qPrintable(QString::number(words_seen)));
-    cut.removeDuplicates();
     QVERIFY2(cut.isEmpty(), qPrintable(QLatin1Char('\n') + cut.join(QLatin1Char('\n'))));
   }
 
@@ -237,24 +247,8 @@ class ChineseWindowTest : public QObject {
     }
     for (const QDockWidget* dock : shown->window().findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
       see(dock->windowTitle(), wordsWithKeysOn(*dock));
-    QSet<QString> dialogs;
-    QTimer looks;
-    looks.setInterval(10);
-    connect(&looks, &QTimer::timeout, this, [&] {
-      for (QWidget* top : QApplication::topLevelWidgets()) {
-        auto* const dialog = qobject_cast<QDialog*>(top);
-        if (!dialog || !dialog->isVisible()) continue;
-        if (!dialogs.contains(dialog->windowTitle())) see(dialog->windowTitle(), wordsWithKeysOn(*dialog));
-        dialogs << dialog->windowTitle();
-        dialog->reject();
-      }
-    });
-    looks.start();
-    for (const char* id : kOpensDialogs) {
-      QAction* const action = shown->window().actionList().find(QLatin1String(id));
-      if (action->isEnabled()) action->trigger();
-      QTest::qWait(40);
-    }
+    openDialogs(shown->window(),
+                [&](const QDialog& dialog) { see(dialog.windowTitle(), wordsWithKeysOn(dialog)); });
     QVERIFY2(keys > 60, qPrintable(QString::number(keys)));
     QVERIFY2(twice.isEmpty(), qPrintable(QLatin1Char('\n') + twice.join(QLatin1Char('\n'))));
   }
@@ -296,6 +290,15 @@ class ChineseWindowTest : public QObject {
     QVERIFY2(
         std::any_of(found.begin(), found.end(), [&](const QString& each) { return each.contains(name); }),
         qPrintable(name + QStringLiteral(": ") + found.join(QLatin1Char(' '))));
+  }
+
+  void submapsAreFilteredByTheWordsOfBothLanguages() {
+    ui::SubmapFacts facts;
+    facts.frozen = true;
+    facts.status = session::SubmapStatus::Waiting;
+    for (const char* typed : {"frozen", "冻结", "failed", "失败", "冻结 failed"})
+      QVERIFY2(ui::SubmapFilter(QString::fromUtf8(typed)).matches(facts), typed);
+    QVERIFY(!ui::SubmapFilter(QStringLiteral("活动")).matches(facts));
   }
 
   void namesOfCommandsHaveNoKeyBehindThem() {

@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "sentences/language.h"
 #include "ui/kit/status_text.h"
 
 namespace mapwright::ui {
@@ -30,11 +31,16 @@ bool wordMatches(const QString& word, const SubmapFacts& facts) {
            index.startsWith(QStringView(word).mid(dash + 1));
   }
   QStringList says{facts.frozen ? QStringLiteral("frozen") : QStringLiteral("active"),
-                   facts.visible ? QStringLiteral("visible") : QStringLiteral("hidden"),
-                   statusWord(facts.status)};
+                   facts.visible ? QStringLiteral("visible") : QStringLiteral("hidden")};
   if (facts.incremental) says << QStringLiteral("incremental");
   if (facts.nearby) says << QStringLiteral("nearby");
-  return std::any_of(says.begin(), says.end(), [&word](const QString& s) { return s.startsWith(word); });
+  {
+    const sentences::InEnglish as_documented;
+    says << statusWord(facts.status);
+  }
+  says << statusWord(facts.status) << badges(facts);  // as they are shown
+  return std::any_of(says.begin(), says.end(),
+                     [&word](const QString& s) { return s.startsWith(word, Qt::CaseInsensitive); });
 }
 
 }  // namespace
