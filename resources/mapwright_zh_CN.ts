@@ -15736,6 +15736,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <source>Unsubscribe from it</source>
         <translation>取消订阅</translation>
     </message>
+    <message>
+        <source>%1  %2, %3%4</source>
+        <translation>%1  %2，%3%4</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::MirrorTool</name>
@@ -16008,6 +16012,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     <message>
         <source>Opacity</source>
         <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
     </message>
 </context>
 <context>
@@ -19941,6 +19949,10 @@ Theirs: %6</source>
         <source>Find out what becomes of the overlays of the reference map on the map on screen</source>
         <translation>查看参考地图的覆盖物在屏幕上的地图中会变成什么</translation>
     </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::ReferenceTool</name>
@@ -22550,6 +22562,10 @@ Theirs: %6</source>
     <message>
         <source>Tags</source>
         <translation>标签</translation>
+    </message>
+    <message>
+        <source>yaw °</source>
+        <translation>朝向 (°)</translation>
     </message>
 </context>
 <context>

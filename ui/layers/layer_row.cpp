@@ -249,7 +249,7 @@ void OpacitySlider::paintEvent(QPaintEvent*) {
   QFont small = font();
   small.setPointSizeF(small.pointSizeF() * 0.88);
   painter.setFont(small);
-  painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("%1 %").arg(value()));
+  painter.drawText(rect(), Qt::AlignCenter, tr("%1 %").arg(value()));
 }
 
 void OpacitySlider::mousePressEvent(QMouseEvent* event) {

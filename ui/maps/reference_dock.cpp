@@ -261,7 +261,7 @@ void ReferenceDock::setAlignment(const AlignmentShown& shown) {
   for (int side = 0; side < 2 && shown.agreement; ++side) {
     const align::WallDistances& walls = side == 0 ? shown.agreement->forward : shown.agreement->backward;
     const auto percent = [](double share, int digits) {
-      return QStringLiteral("%1 %").arg(words::fixed(share * 100, digits));
+      return tr("%1 %").arg(words::fixed(share * 100, digits));
     };
     const QString texts[] = {percent(walls.within_10cm, 1), scene::lengthText(walls.median_m),
                              scene::lengthText(walls.p95_m), scene::lengthText(walls.max_m),

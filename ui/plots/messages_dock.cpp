@@ -314,7 +314,7 @@ void MessagesDock::showMessage(bool force) {
   if (!force && tally->count == shown_count_) return;
   shown_count_ = tally->count;
   message_->setTopic(tally->binary ? QString() : chosen_);
-  caption_->setText(QStringLiteral("%1  %2, %3%4")
+  caption_->setText(tr("%1  %2, %3%4")
                         .arg(plainWords(chosen_, 100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
                              bytesText(tally->last_bytes),
                              tally->cut                 ? tr(", truncated")

@@ -275,8 +275,8 @@ QVariant WaypointsModel::headerData(int section, Qt::Orientation orientation, in
   if (role == Qt::TextAlignmentRole && section >= XColumn && section <= YawColumn)
     return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const std::array<QString, kColumns> names{
-      QString(), tr("Name"), tr("x m"), tr("y m"), QStringLiteral("yaw °"), tr("Tags")};
+  const std::array<QString, kColumns> names{QString(), tr("Name"),  tr("x m"),
+                                            tr("y m"), tr("yaw °"), tr("Tags")};
   return names.at(std::size_t(section)).isEmpty() ? QVariant() : names[std::size_t(section)];
 }
 
