@@ -125,7 +125,7 @@
     </message>
     <message>
         <source>Its firmware does not support this request (%1).</source>
-        <translation>其固件不支持该请求 (%1)。</translation>
+        <translation>其固件不支持该请求（%1）。</translation>
     </message>
     <message>
         <source>Its interface does not report its pose. If a rosbridge server runs on it, add %1 to its address.</source>
@@ -327,11 +327,11 @@
     </message>
     <message>
         <source>%1 % of the smaller map</source>
-        <translation>较小地图的 %1 %</translation>
+        <translation>较小地图的 %1%</translation>
     </message>
     <message>
         <source>%1 % within 10 cm, median %2 m, 95 % within %3 m, largest %4 m (%5 % compared)</source>
-        <translation>%1 % 在 10 cm 以内，中位数 %2 m，95 % 在 %3 m 以内，最大 %4 m（比较了 %5 %）</translation>
+        <translation>%1% 在 10 cm 以内，中位数 %2 m，95% 在 %3 m 以内，最大 %4 m（比较了 %5%）</translation>
     </message>
     <message>
         <source>In %1 of %2 squares of %3 m the walls are off by more than %4 cm, most at (%5, %6) of the new map: by %7 m. Something was moved there, or a map is bent.</source>
@@ -343,7 +343,7 @@
     </message>
     <message>
         <source>%1 % of the old map&apos;s walls have a wall of the new map within 10 cm.</source>
-        <translation>旧地图的墙有 %1 % 在 10 cm 以内能找到新地图的墙。</translation>
+        <translation>旧地图的墙有 %1% 在 10 cm 以内能找到新地图的墙。</translation>
     </message>
     <message>
         <source>Sure: the maps fit in one way only. %1</source>
@@ -492,7 +492,7 @@
     </message>
     <message>
         <source>The robot has something other than what was sent (%1).</source>
-        <translation>机器人上的内容与下发的不同 (%1)。</translation>
+        <translation>机器人上的内容与下发的不同（%1）。</translation>
     </message>
     <message>
         <source>It has not counted a change yet and may still make it. Check again in a moment.</source>
@@ -547,7 +547,7 @@
     </message>
     <message>
         <source>They are in different frames (%1) and may not align.</source>
-        <translation>它们在不同的坐标系中 (%1)，可能对不齐。</translation>
+        <translation>它们在不同的坐标系中（%1），可能对不齐。</translation>
     </message>
     <message>
         <source>%1 of memory</source>
@@ -904,7 +904,7 @@
     </message>
     <message>
         <source>%1 % read</source>
-        <translation>已读取 %1 %</translation>
+        <translation>已读取 %1%</translation>
     </message>
     <message>
         <source>%1: %2 at %3</source>
@@ -1100,7 +1100,7 @@
     </message>
     <message>
         <source>Nothing was carried over. %1</source>
-        <translation>未迁移任何内容。%1</translation>
+        <translation>没有迁移任何内容。%1</translation>
     </message>
     <message>
         <source>on the new map already</source>
@@ -1258,7 +1258,7 @@
     </message>
     <message>
         <source>Move each a little further, to where the walls around it are now</source>
-        <translation>将每一项再略微移动，使其与现在周围的墙相符</translation>
+        <translation>把每一项再略微移动，使其与现在周围的墙相符</translation>
     </message>
     <message>
         <source>Write the waypoints, for waypoints import; - is the standard output</source>
@@ -1682,7 +1682,7 @@
     </message>
     <message>
         <source>Its messages name the map &quot;%1&quot; (%2).</source>
-        <translation>其消息中的地图名称为“%1”(%2)。</translation>
+        <translation>其消息中的地图名称为“%1”（%2）。</translation>
     </message>
     <message>
         <source>It is sending no map at the moment.</source>
@@ -1743,7 +1743,7 @@
     <message numerus="yes">
         <source>%1 cells of the image are neither free nor occupied but in between: they are sent as map_server reads them (from 65 % occupied, below 19.6 % free, else unknown).</source>
         <translation>
-            <numerusform>图像中有 %1 个栅格既非空闲也非占据，而是介于两者之间：按 map_server 的读法下发（65 % 及以上为占据，低于 19.6 % 为空闲，否则为未知）。</numerusform>
+            <numerusform>图像中有 %1 个栅格既非空闲也非占据，而是介于两者之间：按 map_server 的读法下发（65% 及以上为占据，低于 19.6% 为空闲，否则为未知）。</numerusform>
         </translation>
     </message>
     <message>
@@ -2294,7 +2294,7 @@
     </message>
     <message>
         <source>Meets</source>
-        <translation>碰到</translation>
+        <translation>遇到</translation>
     </message>
     <message>
         <source>Length (m)</source>
@@ -2990,7 +2990,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1%</translation>
     </message>
     <message>
         <source>--cell must be from %1 to %2 metres.</source>
@@ -3002,7 +3002,7 @@
     </message>
     <message>
         <source>--fail-over must be a share from 0 to 1, for example 0.05 for 5 %.</source>
-        <translation>--fail-over 必须是 0 到 1 的比例，例如 0.05 表示 5 %。</translation>
+        <translation>--fail-over 必须是 0 到 1 的比例，例如 0.05 表示 5%。</translation>
     </message>
     <message>
         <source>--bag and --at belong together.</source>
@@ -3090,7 +3090,7 @@
     </message>
     <message>
         <source>%1 of the occupied cells contradict: more than the %2 % of --fail-over.</source>
-        <translation>占据栅格中有 %1 相互矛盾：超过 --fail-over 的 %2 %。</translation>
+        <translation>占据栅格中有 %1 相互矛盾：超过 --fail-over 的 %2%。</translation>
     </message>
     <message>
         <source>Read recorded submaps: the name of a bag, or a file, with --at; FILE?ns=/NAMESPACE is one robot of several</source>
@@ -3218,7 +3218,7 @@
     </message>
     <message>
         <source>Its options are for another number of trajectories (%1) than it holds (%2): Cartographer may refuse to load it.</source>
-        <translation>其选项针对的轨迹数 (%1) 与实际的轨迹数 (%2) 不同：Cartographer 可能拒绝加载它。</translation>
+        <translation>其选项针对的轨迹数（%1）与实际的轨迹数（%2）不同：Cartographer 可能拒绝加载它。</translation>
     </message>
     <message>
         <source>Format version</source>
@@ -3712,11 +3712,11 @@
     </message>
     <message>
         <source>%1 The robot&apos;s sensor data is drawn without a map.</source>
-        <translation>%1 机器人的传感器数据在没有地图的情况下绘制。</translation>
+        <translation>%1机器人的传感器数据在没有地图的情况下绘制。</translation>
     </message>
     <message>
         <source>Map %1: %2 % read</source>
-        <translation>地图 %1：已读取 %2 %</translation>
+        <translation>地图 %1：已读取 %2%</translation>
     </message>
     <message>
         <source>%1 of %2 submaps, %3 missing, %4 corrupt</source>
@@ -3748,7 +3748,7 @@
     </message>
     <message>
         <source>%1: %2 had not arrived within %3 s (%4). There is nothing to draw.</source>
-        <translation>%1：%2 在 %3 s 内没有到达 (%4)。没有可绘制的内容。</translation>
+        <translation>%1：%2 在 %3 s 内没有到达（%4）。没有可绘制的内容。</translation>
     </message>
     <message>
         <source>Loop closures are not drawn.</source>
@@ -3840,7 +3840,7 @@
     </message>
     <message>
         <source>No longer accepted: %1. </source>
-        <translation>不再接受：%1。 </translation>
+        <translation>不再接受：%1。</translation>
     </message>
     <message>
         <source>%1: nothing accepted. %2</source>
@@ -4066,7 +4066,7 @@
     </message>
     <message>
         <source>%1 Did you mean %2?</source>
-        <translation>%1 您是不是想用 %2？</translation>
+        <translation>%1您是不是想用 %2？</translation>
     </message>
     <message>
         <source>%1: no such option of %2.</source>
@@ -4186,7 +4186,7 @@
     </message>
     <message>
         <source>Nothing was sent.</source>
-        <translation>未下发任何内容。</translation>
+        <translation>没有下发任何内容。</translation>
     </message>
     <message>
         <source>The rest was not sent.</source>
@@ -4639,7 +4639,7 @@
     </message>
     <message>
         <source>%1 (%2 %), by up to %3</source>
-        <translation>%1 (%2 %)，最大相差 %3</translation>
+        <translation>%1（%2%），最大相差 %3</translation>
     </message>
     <message>
         <source>The pictures are the same.</source>
@@ -4934,7 +4934,7 @@
     </message>
     <message>
         <source>the connection was lost</source>
-        <translation>连接已丢失</translation>
+        <translation>连接已断开</translation>
     </message>
     <message>
         <source>no answer came in time</source>
@@ -5182,7 +5182,7 @@
     </message>
     <message>
         <source>Lidar matching</source>
-        <translation>激光雷达匹配度</translation>
+        <translation>激光雷达匹配</translation>
     </message>
     <message>
         <source>Battery</source>
@@ -5302,7 +5302,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1%</translation>
     </message>
     <message>
         <source>Sensors</source>
@@ -5310,7 +5310,7 @@
     </message>
     <message>
         <source>%1 % up</source>
-        <translation>升起 %1 %</translation>
+        <translation>升起 %1%</translation>
     </message>
     <message>
         <source>Jack</source>
@@ -5967,7 +5967,7 @@
     </message>
     <message>
         <source>, </source>
-        <translation>, </translation>
+        <translation>、</translation>
     </message>
     <message>
         <source>Other regions</source>
@@ -6293,15 +6293,15 @@
     <name>MapFacts</name>
     <message>
         <source>%1 (%2 %, %3)</source>
-        <translation>%1（%2 %，%3）</translation>
+        <translation>%1（%2%，%3）</translation>
     </message>
     <message>
         <source>Id</source>
-        <translation>Id</translation>
+        <translation>编号</translation>
     </message>
     <message>
         <source>Uid</source>
-        <translation>Uid</translation>
+        <translation>UID</translation>
     </message>
     <message>
         <source>Map name</source>
@@ -6551,7 +6551,7 @@
     </message>
     <message>
         <source>Id</source>
-        <translation>Id</translation>
+        <translation>编号</translation>
     </message>
     <message>
         <source>Type</source>
@@ -8019,7 +8019,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1%</translation>
     </message>
     <message>
         <source>%1 and %2°: submap %3, node %4 at %5, by the closure at %6</source>
@@ -9114,7 +9114,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>Mappings</source>
-        <translation>建图列表</translation>
+        <translation>建图记录</translation>
     </message>
     <message>
         <source>Current map</source>
@@ -9992,7 +9992,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>its place is in longitude and latitude (%1), not in metres of the map.</source>
-        <translation>其位置为经纬度 (%1)，而不是地图的米。</translation>
+        <translation>其位置为经纬度（%1），而不是地图的米。</translation>
     </message>
     <message>
         <source>it is neither fields nor a list.</source>
@@ -10008,11 +10008,11 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>The unit of the headings (%1) is not given. They were read as degrees: %2 is too much for radians.</source>
-        <translation>未给出朝向的单位 (%1)。已按度读取：%2 作为弧度太大。</translation>
+        <translation>未给出朝向的单位（%1）。已按度读取：%2 作为弧度太大。</translation>
     </message>
     <message>
         <source>The unit of the headings (%1) is not given. They were read as radians: none is more than a full turn.</source>
-        <translation>未给出朝向的单位 (%1)。已按弧度读取：没有超过一整圈的。</translation>
+        <translation>未给出朝向的单位（%1）。已按弧度读取：没有超过一整圈的。</translation>
     </message>
     <message numerus="yes">
         <source>%1 headings in radians are more than a full turn. Are they degrees?</source>
@@ -10188,7 +10188,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>Its firmware does not support this request (%1).</source>
-        <translation>其固件不支持该请求 (%1)。</translation>
+        <translation>其固件不支持该请求（%1）。</translation>
     </message>
     <message>
         <source>a web server answers there, but it is no Agibot robot</source>
@@ -10282,7 +10282,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>a web server answers there, but it does not know the requests of Agibot robots (%1): check the address and the port</source>
-        <translation>那里应答的是 Web 服务器，但它不认识 Agibot 机器人的请求 (%1)：请检查地址和端口</translation>
+        <translation>那里应答的是 Web 服务器，但它不认识 Agibot 机器人的请求（%1）：请检查地址和端口</translation>
     </message>
     <message>
         <source>the answer contains no data</source>
@@ -10570,7 +10570,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>the PNG cannot be read (%1)</source>
-        <translation>无法读取 PNG (%1)</translation>
+        <translation>无法读取 PNG（%1）</translation>
     </message>
     <message>
         <source>the PNG header is cut off</source>
@@ -10670,7 +10670,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>no file can be created in %1 (%2)</source>
-        <translation>无法在 %1 中创建文件 (%2)</translation>
+        <translation>无法在 %1 中创建文件（%2）</translation>
     </message>
     <message>
         <source>The standard output cannot be written</source>
@@ -10887,7 +10887,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>it is not JSON (%1)</source>
-        <translation>它不是 JSON (%1)</translation>
+        <translation>它不是 JSON（%1）</translation>
     </message>
     <message>
         <source>its coordinates are longitude and latitude (crs %1), not metres of the map. If they are metres, remove &quot;crs&quot; from it</source>
@@ -11619,7 +11619,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>Move each a little further, to where the walls around it are now</source>
-        <translation>把每个再稍微移动，对到周围墙现在的位置</translation>
+        <translation>把每一项再略微移动，使其与现在周围的墙相符</translation>
     </message>
     <message>
         <source>N and P: the next and the previous that is not decided. A: carry it over. X: leave it out. Enter: show it on the map.</source>
@@ -11709,7 +11709,7 @@ Do you want to delete it anyway?</source>
     </message>
     <message>
         <source>The map on screen has changed since then. As it was: %1</source>
-        <translation>此后屏幕上的地图已改变。改变前的结果：%1</translation>
+        <translation>屏幕上的地图此后已更改。当时的结果：%1</translation>
     </message>
     <message>
         <source>Parts of the map on screen could not be read.</source>
@@ -12182,11 +12182,11 @@ Expected at %2</source>
     </message>
     <message>
         <source>Off, m</source>
-        <translation>残差，m</translation>
+        <translation>残差 (m)</translation>
     </message>
     <message>
         <source>Turn, °</source>
-        <translation>转角，°</translation>
+        <translation>转角 (°)</translation>
     </message>
     <message>
         <source>Submap</source>
@@ -12257,7 +12257,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>The robot answered with another region.</source>
-        <translation>机器人应答的是另一个区域。</translation>
+        <translation>机器人应答的是另一个分块。</translation>
     </message>
     <message>
         <source>The robot has no points in this region.</source>
@@ -13152,7 +13152,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>%1 % of the occupied cells are contradicted by another submap: %2 of %3, each %4 cm wide.</source>
-        <translation>%1 % 的占据栅格与另一子图矛盾：%3 个中的 %2 个，每个宽 %4 cm。</translation>
+        <translation>%1% 的占据栅格与另一子图矛盾：%3 个中的 %2 个，每个宽 %4 cm。</translation>
     </message>
     <message>
         <source>The map is still being looked at.</source>
@@ -13481,7 +13481,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>%1 found so far: %2 % of the bag has been read</source>
-        <translation>目前找到 %1：数据包已读取 %2 %</translation>
+        <translation>目前找到 %1：数据包已读取 %2%</translation>
     </message>
     <message>
         <source>The events of a bag are listed here while it is replayed.</source>
@@ -13819,7 +13819,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>%1 Press Export again to write them anyway.</source>
-        <translation>%1 再按一次“导出”仍会写出。</translation>
+        <translation>%1再按一次“导出”仍会写出。</translation>
     </message>
     <message>
         <source>The map was read from %1. Press Export again to replace the file, or choose another name.</source>
@@ -14417,7 +14417,7 @@ Expected at %2</source>
     </message>
     <message>
         <source>Filter: 12-3, v70, frozen, failed…</source>
-        <translation>筛选：12-3、v70、frozen、failed…</translation>
+        <translation>筛选：12-3、v70、冻结、失败…</translation>
     </message>
     <message>
         <source>Trajectory and index (12-3), index (592), version (v70), frozen, active, incremental, nearby, hidden,
@@ -14961,7 +14961,7 @@ the others colour by trajectory, by age and by version (the legend says how)</so
     </message>
     <message>
         <source>%1 No pose changes: Cartographer optimises them when it loads the new file and runs again.</source>
-        <translation>%1 位姿都不改变：Cartographer 加载新文件并再次运行时会优化它们。</translation>
+        <translation>%1位姿都不改变：Cartographer 加载新文件并再次运行时会优化它们。</translation>
     </message>
     <message>
         <source>Write the new file to</source>
@@ -15408,11 +15408,11 @@ the others colour by trajectory, by age and by version (the legend says how)</so
     </message>
     <message>
         <source>%1 Its waypoints are shown without it. The robot is in another map and hidden.</source>
-        <translation>%1 其路径点在没有地图的情况下显示。机器人在另一张地图中，已隐藏。</translation>
+        <translation>%1其路径点在没有地图的情况下显示。机器人在另一张地图中，已隐藏。</translation>
     </message>
     <message>
         <source>%1 Its waypoints are shown without it.</source>
-        <translation>%1 其路径点在没有地图的情况下显示。</translation>
+        <translation>%1其路径点在没有地图的情况下显示。</translation>
     </message>
     <message>
         <source>Retry</source>
@@ -15850,11 +15850,11 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     </message>
     <message>
         <source>&amp;x</source>
-        <translation>x(&amp;X)</translation>
+        <translation>&amp;x</translation>
     </message>
     <message>
         <source>&amp;y</source>
-        <translation>y(&amp;Y)</translation>
+        <translation>&amp;y</translation>
     </message>
     <message>
         <source>&amp;Heading</source>
@@ -16275,7 +16275,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     </message>
     <message>
         <source>%1 m. </source>
-        <translation>%1 m。 </translation>
+        <translation>%1 m。</translation>
     </message>
     <message>
         <source>Click to add points; Enter or a double click ends, Backspace removes the last, Esc cancels.</source>
@@ -16298,7 +16298,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     </message>
     <message>
         <source>Radius %1 m. </source>
-        <translation>半径 %1 m。 </translation>
+        <translation>半径 %1 m。</translation>
     </message>
     <message>
         <source>Esc cancels.</source>
@@ -16640,7 +16640,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     </message>
     <message>
         <source>Nothing differs.</source>
-        <translation>没有差别。</translation>
+        <translation>没有差异。</translation>
     </message>
     <message>
         <source>Select one version first</source>
@@ -16736,11 +16736,11 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     </message>
     <message>
         <source>x m</source>
-        <translation>x m</translation>
+        <translation>x (m)</translation>
     </message>
     <message>
         <source>y m</source>
-        <translation>y m</translation>
+        <translation>y (m)</translation>
     </message>
     <message>
         <source>Nothing is selected.</source>
@@ -16845,7 +16845,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     <name>mapwright::ui::OverlaySnapping</name>
     <message>
         <source>Snapped to %1 (Alt: not). </source>
-        <translation>已吸附到%1（Alt：不吸附）。 </translation>
+        <translation>已吸附到%1（Alt：不吸附）。</translation>
     </message>
     <message>
         <source>a point</source>
@@ -17139,7 +17139,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     </message>
     <message>
         <source>%1 They are still unsaved here.</source>
-        <translation>%1 它们在这里仍未保存。</translation>
+        <translation>%1它们在这里仍未保存。</translation>
     </message>
     <message>
         <source>Overlays of %1 saved</source>
@@ -17977,7 +17977,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Sending: %1 %</source>
-        <translation>正在下发：%1 %</translation>
+        <translation>正在下发：%1%</translation>
     </message>
     <message>
         <source>Sent. Waiting for the robot to show it…</source>
@@ -18590,11 +18590,11 @@ Theirs: %6</source>
     </message>
     <message>
         <source>&amp;x</source>
-        <translation>x(&amp;X)</translation>
+        <translation>&amp;x</translation>
     </message>
     <message>
         <source>&amp;y</source>
-        <translation>y(&amp;Y)</translation>
+        <translation>&amp;y</translation>
     </message>
     <message>
         <source>&amp;Heading</source>
@@ -19344,7 +19344,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>%1 Recording continues when there is enough disk space.</source>
-        <translation>%1 有足够的磁盘空间后继续录制。</translation>
+        <translation>%1有足够的磁盘空间后继续录制。</translation>
     </message>
     <message>
         <source>Recording to the file continues.</source>
@@ -19383,7 +19383,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>%1 %, %2 of %3</source>
-        <translation>%1 %，%2 / %3</translation>
+        <translation>%1%，%2 / %3</translation>
     </message>
     <message>
         <source>downloaded to %1</source>
@@ -19686,7 +19686,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>The map on screen has changed since then. As it was: %1</source>
-        <translation>此后屏幕上的地图已改变。改变前的结果：%1</translation>
+        <translation>屏幕上的地图此后已更改。当时的结果：%1</translation>
     </message>
     <message>
         <source>Best candidate</source>
@@ -19853,11 +19853,11 @@ Theirs: %6</source>
     </message>
     <message>
         <source>&amp;x</source>
-        <translation>x(&amp;X)</translation>
+        <translation>&amp;x</translation>
     </message>
     <message>
         <source>&amp;y</source>
-        <translation>y(&amp;Y)</translation>
+        <translation>&amp;y</translation>
     </message>
     <message>
         <source>&amp;Turned by</source>
@@ -19901,7 +19901,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>95 % within</source>
-        <translation>95 % 不超过</translation>
+        <translation>95% 不超过</translation>
     </message>
     <message>
         <source>Largest</source>
@@ -20139,7 +20139,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Reading %1: %2 %</source>
-        <translation>正在读取 %1：%2 %</translation>
+        <translation>正在读取 %1：%2%</translation>
     </message>
     <message>
         <source>Looking at what %1 crosses…</source>
@@ -20151,7 +20151,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Connect to a robot to see its recordings.</source>
-        <translation>连接机器人后才能看到它的录制文件。</translation>
+        <translation>连接机器人以查看其录制文件。</translation>
     </message>
     <message>
         <source>Cancelled.</source>
@@ -20957,7 +20957,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Width of the strip</source>
-        <translation>条带的宽度</translation>
+        <translation>条带宽度</translation>
     </message>
     <message>
         <source>Show the whole section (F)</source>
@@ -21205,7 +21205,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>reading earlier data: %1 %</source>
-        <translation>正在读取更早的数据：%1 %</translation>
+        <translation>正在读取更早的数据：%1%</translation>
     </message>
     <message>
         <source>reading earlier data…</source>
@@ -22166,7 +22166,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>no tags</source>
-        <translation>无标签</translation>
+        <translation>没有标签</translation>
     </message>
     <message>
         <source>tags %1</source>
@@ -22553,11 +22553,11 @@ Theirs: %6</source>
     </message>
     <message>
         <source>x m</source>
-        <translation>x m</translation>
+        <translation>x (m)</translation>
     </message>
     <message>
         <source>y m</source>
-        <translation>y m</translation>
+        <translation>y (m)</translation>
     </message>
     <message>
         <source>Tags</source>
@@ -23277,7 +23277,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>The encoding of the message is not the one stated in the recording (%1).</source>
-        <translation>消息的编码与录制文件所标的 (%1) 不同。</translation>
+        <translation>消息的编码与录制文件所标的（%1）不同。</translation>
     </message>
     <message>
         <source>The message ends inside its field &quot;%1&quot;.</source>
@@ -23963,7 +23963,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>It cannot be loaded</source>
-        <translation>无法加载它</translation>
+        <translation>无法加载</translation>
     </message>
     <message>
         <source>Version %1 is listed, but the robot sent version %2. It is shown.</source>
@@ -24242,7 +24242,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>Reading %1 %2 %</source>
-        <translation>正在读取 %1 %2 %</translation>
+        <translation>正在读取 %1 %2%</translation>
     </message>
     <message>
         <source>%1, without its picture</source>
@@ -24258,11 +24258,11 @@ Theirs: %6</source>
     </message>
     <message>
         <source>occupied %1 %</source>
-        <translation>占据 %1 %</translation>
+        <translation>占据 %1%</translation>
     </message>
     <message>
         <source>free %1 %</source>
-        <translation>空闲 %1 %</translation>
+        <translation>空闲 %1%</translation>
     </message>
     <message numerus="yes">
         <source>%1 problems</source>
@@ -25009,7 +25009,7 @@ Theirs: %6</source>
     <message>
         <source>Shows what a mobile robot&apos;s SLAM sees, submap by submap, live.
 Licensed under the Apache License 2.0.</source>
-        <translation>逐个子图地实时显示移动机器人的 SLAM 所见。
+        <translation>逐个子图实时显示移动机器人的 SLAM 所知道的内容。
 以 Apache License 2.0 许可。</translation>
     </message>
     <message>
@@ -25046,7 +25046,7 @@ Licensed under the Apache License 2.0.</source>
     </message>
     <message>
         <source>Longest, ms (%1)</source>
-        <translation>最长，ms (%1)</translation>
+        <translation>最长，ms（%1）</translation>
     </message>
     <message>
         <source>Commit %1</source>
