@@ -22565,7 +22565,7 @@ Theirs: %6</source>
     </message>
     <message>
         <source>yaw °</source>
-        <translation>朝向 (°)</translation>
+        <translation>朝向°</translation>
     </message>
 </context>
 <context>

@@ -78,8 +78,8 @@ void installFrom(const QString& file, const QString& folder) {
 void installChosen() {
   const QString code = chosenLanguage();
   if (code == kEnglish) return;
-  installFrom<QTranslator>(QStringLiteral("qtbase_") + code,
-                           QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  installFrom<ChosenTranslator>(QStringLiteral("qtbase_") + code,
+                                QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   installFrom<ChosenTranslator>(QStringLiteral("mapwright_") + code, QStringLiteral(":/translations"));
 }
 
