@@ -48,10 +48,10 @@ void translateHeadings(CLI::App& program) {
   const auto formatter = program.get_formatter();
   formatter->label("Usage", help(Text::tr("Usage")));
   formatter->label("Positionals", help(Text::tr("Positionals")));
-  formatter->label("REQUIRED", help(Text::tr("REQUIRED", "of an option")));
-  formatter->label("Env", help(Text::tr("Env", "the variable of the environment that stands for an option")));
-  formatter->label("Needs", help(Text::tr("Needs", "another option")));
-  formatter->label("Excludes", help(Text::tr("Excludes", "another option")));
+  formatter->label("REQUIRED", help(Text::tr("REQUIRED")));
+  formatter->label("Env", help(Text::tr("Env")));
+  formatter->label("Needs", help(Text::tr("Needs")));
+  formatter->label("Excludes", help(Text::tr("Excludes")));
   for (CLI::Option* option : program.get_options()) {
     if (option->get_group() == "Options") option->group(help(Text::tr("Options")));
   }

@@ -4584,22 +4584,18 @@
     </message>
     <message>
         <source>REQUIRED</source>
-        <comment>of an option</comment>
         <translation>必需</translation>
     </message>
     <message>
         <source>Env</source>
-        <comment>the variable of the environment that stands for an option</comment>
         <translation>环境变量</translation>
     </message>
     <message>
         <source>Needs</source>
-        <comment>another option</comment>
         <translation>需要</translation>
     </message>
     <message>
         <source>Excludes</source>
-        <comment>another option</comment>
         <translation>不可同时使用</translation>
     </message>
 </context>
@@ -7304,7 +7300,6 @@
     <name>Page</name>
     <message>
         <source>en</source>
-        <comment>the language of this text, as web pages name it</comment>
         <translation>zh-CN</translation>
     </message>
 </context>

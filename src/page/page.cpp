@@ -105,7 +105,7 @@ Page::Page(QIODevice& out, const QString& title, Scripts scripts) : out_(out), s
           "<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
           "style-src 'unsafe-inline'")
-          .arg(QCoreApplication::translate("Page", "en", "the language of this text, as web pages name it")));
+          .arg(QCoreApplication::translate("Page", "en")));
   put(allowed);
   put(
       QStringLiteral("\">\n"
