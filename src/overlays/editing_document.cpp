@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <functional>
 
+#include "overlays/overlay_box.h"
+
 namespace mapwright::overlays {
 namespace {
 
 const Version kNowhere;
+const Part kBoxOfAll{Part::Of::Member, "bbox"};
 
 /// The document with the members of the collection that `after` has other than `before`.
 OverlayDocument withCollection(OverlayDocument document, const Feature& before, const Feature& after) {
@@ -55,7 +58,15 @@ OverlayDocument EditingDocument::mine() const {
   for (FeatureKey key = 0; key < now_.size(); ++key) {
     if (now_[key] && !placed.contains(key)) document.add(*now_[key]);
   }
-  return withCollection(std::move(document), *collection_base_, *collection_now_);
+  document = withCollection(std::move(document), *collection_base_, *collection_now_);
+  if (boxIsTheirs()) rebox(document, base_);
+  return document;
+}
+
+/// It was not put there by hand, so it follows the features. It is no edit: others who move features change
+/// it as well, and nobody would have to decide that.
+bool EditingDocument::boxIsTheirs() const {
+  return partOf(*collection_now_, kBoxOfAll) == partOf(*collection_base_, kBoxOfAll);
 }
 
 std::vector<FeatureKey> EditingDocument::keysOfMine() const {
@@ -178,7 +189,10 @@ std::vector<FeatureEdit> EditingDocument::editsTo(const OverlayDocument& version
     const auto again = deleted.extract(version.features()[i].id());
     edits.push_back({again.empty() ? newKey() : again.mapped(), std::nullopt, version.features()[i]});
   }
-  edit(kCollectionKey, *collection_now_, collectionOf(version));
+  Feature collection = collectionOf(version);
+  if (boxIsTheirs() && boxFits(base_) && boxFits(version))
+    collection = withPart(collection, kBoxOfAll, partOf(*collection_now_, kBoxOfAll));
+  edit(kCollectionKey, *collection_now_, collection);
   return edits;
 }
 

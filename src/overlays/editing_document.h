@@ -37,7 +37,8 @@ class EditingDocument {
 
   /// What the robot holds, as far as known.
   const OverlayDocument& base() const { return base_; }
-  /// As edited: whatever was not edited is as the robot wrote it.
+  /// As edited: whatever was not edited is as the robot wrote it, but for the box (`bbox`) of all features:
+  /// if it was right, it is so again.
   OverlayDocument mine() const;
   /// Of the features of mine(), in their order.
   std::vector<FeatureKey> keysOfMine() const;
@@ -98,6 +99,7 @@ class EditingDocument {
   void restoreDraft(const OverlayDocument& old_base, const OverlayDocument& old_mine);
 
  private:
+  bool boxIsTheirs() const;
   void apply(const std::vector<FeatureEdit>& edits, bool forward);
   Version& nowOf(FeatureKey key) { return key == kCollectionKey ? collection_now_ : now_[key]; }
   void resize(std::size_t size);

@@ -136,15 +136,26 @@ Feature withItsBoxes(const Feature& moved, const Feature& before) {
   return out ? out->feature : moved;
 }
 
+bool boxFits(const OverlayDocument& document) {
+  const auto collection = document.collection();
+  const auto box = collection ? collection->root().member(kBox) : std::nullopt;
+  return !box || isRight(*box, boundsOf(document));
+}
+
 bool rebox(OverlayDocument& after, const OverlayDocument& before) {
   const auto collection = before.collection();
   const auto box = collection ? collection->root().member(kBox) : std::nullopt;
   if (!box) return true;
   if (!isRight(*box, boundsOf(before))) return false;
-  std::vector<json::Rewrite> rewrites;
-  put(rewrites, *box, boundsOf(after));
-  const JsonText now = JsonText::rewritten(std::move(rewrites));
-  after.setMember(kBox, std::string(now.root().member(kBox)->text()));
+  const geometry::WorldRect bounds = boundsOf(after);
+  if (bounds.empty()) {
+    after.setMember(kBox, std::nullopt);
+  } else if (!isRight(*box, bounds)) {
+    std::vector<json::Rewrite> rewrites;
+    put(rewrites, *box, bounds);
+    const JsonText now = JsonText::rewritten(std::move(rewrites));
+    after.setMember(kBox, std::string(now.root().member(kBox)->text()));
+  }
   return true;
 }
 

@@ -18,8 +18,10 @@ std::optional<Reboxed> reboxed(const Feature& moved, const Feature& before);
 /// The feature of it; `moved` if its geometry is the same.
 Feature withItsBoxes(const Feature& moved, const Feature& before);
 
-/// `after` has other features than `before`. False: the box of its collection was not right before, and stays
-/// as it is.
+/// Whether the box of its collection is right, or it has none.
+bool boxFits(const OverlayDocument& document);
+/// `after` has other features than `before`, and the box of their collection follows. False: it was not right
+/// before, and stays as it is.
 bool rebox(OverlayDocument& after, const OverlayDocument& before);
 
 }  // namespace mapwright::overlays

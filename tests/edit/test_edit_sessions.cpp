@@ -1,5 +1,7 @@
 // What can go wrong while something that is open for editing is saved: the same faults for waypoints,
 // overlays and pictures, and what each session says of itself after them.
+#include <numbers>
+
 #include <QTimer>
 #include <QtTest>
 
@@ -283,6 +285,29 @@ class EditSessionsTest : public QObject {
     QCOMPARE(boxOf(*editing.find(0)), std::string("[0,0,1,1]"));
     move();
     QCOMPARE(boxOf(*editing.find(0)), std::string());
+  }
+
+  void theBoxesOfACollectionOfGeometriesTurnWithIt() {
+    OverlayEditing editing;
+    editing.open(*overlays::OverlayDocument::read(
+        R"({"type":"FeatureCollection","bbox":[0,0,4,2],"features":[{"id":"a","type":"Feature",)"
+        R"("bbox":[0,0,4,2],"geometry":{"type":"GeometryCollection","bbox":[0,0,4,2],"geometries":[)"
+        R"({"type":"Point","bbox":[4,2,4,2],"coordinates":[4,2]},)"
+        R"({"type":"GeometryCollection","bbox":[0,0,3,1],"geometries":[)"
+        R"({"type":"LineString","bbox":[0,0,3,1],"coordinates":[[0,0],[3,1]]}]}]},"properties":{}}]})"));
+    editing.select({0});
+    editing.changeSelected(QStringLiteral("turn"), [](const overlays::Feature& one) {
+      return overlays::turnedAbout(one, {0, 0}, std::numbers::pi / 2);
+    });
+    const std::string now = editing.document().mine().text();
+    const auto count = [&](const std::string& box) {
+      int found = 0;
+      for (auto at = now.find(box); at != std::string::npos; at = now.find(box, at + 1)) ++found;
+      return found;
+    };
+    QVERIFY2(count("\"bbox\":[-2,0,0,4]") == 3 && count("\"bbox\":[-2,4,-2,4]") == 1 &&
+                 count("\"bbox\":[-1,0,0,3]") == 2,
+             now.c_str());
   }
 
   void whatIsNotStoredIsUnsaved_data() {

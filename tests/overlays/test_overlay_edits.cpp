@@ -141,6 +141,49 @@ class OverlayEditsTest : public QObject {
     QCOMPARE(document.mine().text(), edited);
   }
 
+  void theBoxOfAllFollowsItsFeatures() {
+    const auto all = [](const char* box, const std::string& features) {
+      return *OverlayDocument::read(R"({"type":"FeatureCollection","bbox": )" + std::string(box) +
+                                    R"(,"features":[)" + features + "]}");
+    };
+    const auto boxOf = [](const OverlayDocument& document) {
+      const auto box = document.collection()->root().member("bbox");
+      return box ? std::string(box->text()) : std::string();
+    };
+    const std::string a = wall("a", "[[0,0],[1,1]]"), b = wall("b", "[[2,2],[3,4]]");
+    const OverlayDocument base = all("[0.0, 0, 3,4.00]", a + "," + b);
+    EditingDocument document(base);
+    set(document, 0, turnedAbout(Feature(a), {0, 0}, std::numbers::pi));
+    QCOMPARE(boxOf(document.mine()), std::string("[-1, -1, 3,4]"));
+    const OverlayDocument turned = document.mine();
+    QVERIFY(document.undo());
+    QCOMPARE(document.mine().text(), base.text());
+    set(document, 1, std::nullopt);
+    QCOMPARE(boxOf(document.mine()), std::string("[0, 0, 1,1]"));
+    set(document, 0, std::nullopt);
+    QCOMPARE(boxOf(document.mine()), std::string());
+    // Others who move something move the box as well: nobody has to decide.
+    EditingDocument shared(base);
+    set(shared, 0, turnedAbout(Feature(a), {0, 0}, std::numbers::pi));
+    shared.rebase(all("[0,0,9,9]", a + "," + wall("b", "[[2,2],[9,9]]")));
+    QVERIFY(shared.conflicts().empty());
+    QCOMPARE(boxOf(shared.mine()), std::string("[-1,-1,9,9]"));
+    shared.markSaved();
+    QVERIFY(!shared.unsaved());
+    EditingDocument draft(all("[0,0,9,9]", a + "," + wall("b", "[[2,2],[9,9]]")));
+    draft.restoreDraft(base, turned);
+    QVERIFY(draft.conflicts().empty());
+    QCOMPARE(boxOf(draft.mine()), std::string("[-1,-1,9,9]"));
+    // One that did not fit, or that was put there by hand, stays.
+    EditingDocument odd(all("[0,0,1,1]", a + "," + b));
+    set(odd, 1, movedBy(Feature(b), {1, 1}));
+    QCOMPARE(boxOf(odd.mine()), std::string("[0,0,1,1]"));
+    EditingDocument own(base);
+    own.change(own.editsTo(all("[-9,-9,9,9]", a + "," + b)));
+    set(own, 1, movedBy(Feature(b), {1, 1}));
+    QCOMPARE(boxOf(own.mine()), std::string("[-9,-9,9,9]"));
+  }
+
   void stepsThatBelongTogetherAreOne() {
     EditingDocument document(read(wall("a", "[[0,0],[1,1]]")));
     set(document, 0, movedBy(*document.find(0), {1, 0}));

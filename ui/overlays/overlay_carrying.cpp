@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "overlays/overlay_box.h"
-#include "overlays/overlay_merge.h"
 #include "overlays/overlay_shapes.h"
 #include "robot/overlay_store.h"
 #include "sentences/failure_sentence.h"
@@ -159,21 +158,14 @@ void OverlayCarrying::mark(std::optional<int> row) {
 
 bool OverlayCarrying::put(const std::vector<int>& going) {
   std::vector<overlays::Feature> features;
-  const overlays::OverlayDocument before = editing_->document().mine();
-  overlays::OverlayDocument after = before;
   qint64 boxes = 0;
   for (const int row : going) {
     const carry::CarriedFeature& one = found_[std::size_t(row)];
     features.push_back(one.moved);
-    after.add(one.moved);
     boxes += one.box_removed;
   }
-  std::map<overlays::FeatureKey, overlays::Feature> changed;
-  const bool fits = overlays::rebox(after, before);
-  if (fits && before.collection() && before.collection()->root().member("bbox"))
-    changed.emplace(overlays::kCollectionKey, overlays::collectionOf(after));
   const QString counted = featuresText(qsizetype(features.size()));
-  const auto keys = editing_->put(features, changed, tr("carry over %1").arg(counted));
+  const auto keys = editing_->put(features, {}, tr("carry over %1").arg(counted));
   for (std::size_t i = 0; i < keys.size(); ++i) became_[rows()[std::size_t(going[i])].id] = keys[i];
   if (keys.empty()) return false;
   context_.scene.setLayerVisible(scene::Layer::Overlays, true);
@@ -182,7 +174,7 @@ bool OverlayCarrying::put(const std::vector<int>& going) {
   if (boxes > 0)
     context_.overlay.toasts()->add(
         Mark::Warning, tr("Boxes (bbox) left out because they did not fit their overlay: %1.").arg(boxes));
-  if (!fits)
+  if (!overlays::boxFits(editing_->document().mine()))
     context_.overlay.toasts()->add(
         Mark::Warning, tr("The box (bbox) of all overlays did not fit them before, and stays as it is."));
   return true;
