@@ -97,9 +97,25 @@ class TableRowDelegate : public QStyledItemDelegate {
   }
 };
 
+/// The head of a table. The style paints the arrow of the sorted column at the right, over what ends there: a
+/// title at the right makes room for it.
+class TableHead : public QHeaderView {
+ public:
+  explicit TableHead(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) { setSectionsClickable(true); }
+
+ protected:
+  void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override {
+    QHeaderView::initStyleOptionForIndex(option, section);
+    const bool sorted = option->sortIndicator != QStyleOptionHeader::None;
+    if (sorted && option->textAlignment.testFlag(Qt::AlignRight))
+      option->text += QString(4, QChar(QChar::Nbsp));
+  }
+};
+
 /// The common look and behaviour of tables whose rows are objects: selects whole rows, has no grid, Tab
 /// leaves the table. `name`: for assistive technology.
 inline void showRows(QTableView& table, QAbstractItemModel* model, const QString& name, int row_px = 24) {
+  table.setHorizontalHeader(new TableHead(&table));
   table.setModel(model);
   table.setItemDelegate(new TableRowDelegate(&table));
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
