@@ -19,8 +19,8 @@ namespace mapwright::ui {
 
 namespace {
 
-// Space and the arrow. While the window is built there is no style sheet to ask.
-constexpr int kAroundHeadPx = 60;
+// Space and the arrow, or the mark. While the window is built there is no style sheet to ask.
+constexpr int kAroundHeadPx = 48, kAroundVerdictPx = 34;
 
 }  // namespace
 
@@ -61,7 +61,7 @@ CarryDock::CarryDock(const CarryWords& words, const QString& name, QWidget* pare
   // Long names are cut, not these: the heads with the arrow of the sorted one, and verdicts with their marks.
   const QString off = filtered_->headerData(CarryModel::WallsOff, Qt::Horizontal).toString();
   const int off_px = header->fontMetrics().horizontalAdvance(off) + kAroundHeadPx;
-  const int became_px = fontMetrics().horizontalAdvance(tr("in an obstacle")) + 52;
+  const int became_px = fontMetrics().horizontalAdvance(tr("in an obstacle")) + kAroundVerdictPx;
   header->resizeSection(CarryModel::WallsOff, off_px);
   header->resizeSection(CarryModel::Became, became_px);
   new NameColumn(table_, header, CarryModel::Called,

@@ -130,7 +130,11 @@ QVariant CarryModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return int((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role == Qt::ForegroundRole && became) return markTextColor(markOf(row), appColors());
   if (role == Qt::DecorationRole && became) return markPixmap(markOf(row));
-  if (role == Qt::ToolTipRole) return plainToolTip(meansText(row));
+  if (role == Qt::ToolTipRole) {
+    const QString means = meansText(row);
+    // The name may be cut.
+    return plainToolTip(index.column() == Called ? QStringLiteral("%1\n%2").arg(row.name, means) : means);
+  }
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case Called:
