@@ -9,6 +9,7 @@
 #include "reference_bench.h"
 #include "test_program.h"
 #include "text_bag.h"
+#include "ui/kit/theme.h"
 #include "ui/replay/recordings_dock.h"
 #include "ui/replay/rehearsal_controller.h"
 #include "ui/replay/rehearsal_dock.h"
@@ -120,6 +121,14 @@ class TestWindowRehearsal : public QObject {
       QVERIFY2(bench.way_dock().said().contains(QLatin1String(part)), qPrintable(bench.way_dock().said()));
 
     QTableView* const table = bench.way_dock().table();
+    const auto sample = [&] {
+      return table->model()->index(0, 0).data(Qt::DecorationRole).value<QIcon>().pixmap(16, 16).toImage();
+    };
+    applyTheme(*qApp, ThemeChoice::Light);
+    const QImage light = sample();
+    applyTheme(*qApp, ThemeChoice::Dark);
+    QVERIFY(sample() != light);
+    applyTheme(*qApp, ThemeChoice::System);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
                       table->visualRect(table->model()->index(0, 0)).center());
     const auto& marker = bench.window->mapScene()->marker();

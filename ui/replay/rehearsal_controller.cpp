@@ -361,7 +361,7 @@ void RehearsalController::onRehearsed(const carry::Rehearsed& way) {
 void RehearsalController::show(const QString& said) {
   crossed_ = good_->crossed;
   line_->show(good_->stretches);
-  dock_->setStretches(crossed_, context_.scene.theme());
+  dock_->setStretches(crossed_);
   dock_->setBusy(false);
   dock_->setSaid(said);
 }
@@ -380,9 +380,9 @@ void RehearsalController::fail(const QString& why, const QString& why_nothing) {
   ground_ = good_->ground;
   edited_ = good_->edited;
   const QString still = tr("Still shown: %1").arg(good_->said);
-  show(words::paragraph(
-      {start,
-       edited_ ? tr("The map on screen has changed since then. As it was: %1").arg(good_->said) : still}));
+  show(QStringLiteral("%1\n%2").arg(
+      start,
+      edited_ ? tr("The map on screen has changed since then. As it was: %1").arg(good_->said) : still));
 }
 
 void RehearsalController::onEdited() {
@@ -401,7 +401,7 @@ void RehearsalController::forget(const QString& said) {
   edited_ = false;
   crossed_.clear();
   line_->show({});
-  dock_->setStretches({}, context_.scene.theme());
+  dock_->setStretches({});
   dock_->setChosen(isChosen());
   dock_->setBusy(false);
   dock_->setSaid(!said.isEmpty() ? said

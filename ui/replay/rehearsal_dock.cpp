@@ -14,6 +14,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
 #include "ui/kit/wrapping_row.h"
 #include "ui/replay/timeline_axis.h"
 #include "words/fixed.h"
@@ -22,14 +23,16 @@ namespace mapwright::ui {
 namespace {
 
 constexpr int kLeastColumnPx = 40;
+constexpr Qt::Alignment kNumbers = Qt::AlignRight | Qt::AlignVCenter;
 
-QIcon sampleOf(carry::Crossing what, const scene::MapTheme& theme) {
+/// On the list, which has the colours of the window.
+QIcon sampleOf(carry::Crossing what) {
   constexpr int kEdge = 16, kSharp = 2;
   QPixmap sample(kEdge * kSharp, kEdge * kSharp);
   sample.setDevicePixelRatio(kSharp);
   sample.fill(Qt::transparent);
   QPainter painter(&sample);
-  QPen pen = penOf(what, theme);
+  QPen pen = penOf(what, appColors().dark ? scene::darkMapTheme() : scene::lightMapTheme());
   pen.setWidthF(pen.widthF() / 2);  // so that its dashes are seen
   painter.setPen(pen);
   painter.drawLine(QPointF(1, kEdge / 2.0), QPointF(kEdge - 1, kEdge / 2.0));
@@ -74,6 +77,7 @@ RehearsalDock::RehearsalDock(QWidget* parent)
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  for (const int column : {1, 2}) model_->horizontalHeaderItem(column)->setTextAlignment(kNumbers);
   new NameColumn(table_, header, 0, {{2, kLeastColumnPx}, {1, kLeastColumnPx}});
   table_->installEventFilter(this);
   auto* const buttons = new WrappingRow(QMargins(), 8);
@@ -134,13 +138,26 @@ void RehearsalDock::setRadius(double radius_m) {
   radius_->setValue(radius_m);
 }
 
-void RehearsalDock::setStretches(const std::vector<carry::Stretch>& stretches, const scene::MapTheme& theme) {
+void RehearsalDock::setStretches(const std::vector<carry::Stretch>& stretches) {
   model_->setRowCount(0);
   for (const carry::Stretch& stretch : stretches) {
+    auto* const what = new QStandardItem(sampleOf(stretch.what), carry::crossingText(stretch.what));
+    what->setData(int(stretch.what));
+    auto* const length = new QStandardItem(words::fixed(stretch.length_m, 2));
+    length->setTextAlignment(kNumbers);
     auto* const when = new QStandardItem(clockText(stretch.from_s, 0));
     when->setToolTip(QStringLiteral("%1 %2").arg(dayText(stretch.from_s), when->text()));
-    model_->appendRow({new QStandardItem(sampleOf(stretch.what, theme), carry::crossingText(stretch.what)),
-                       new QStandardItem(words::fixed(stretch.length_m, 2)), when});
+    when->setTextAlignment(kNumbers);
+    model_->appendRow({what, length, when});
+  }
+}
+
+void RehearsalDock::changeEvent(QEvent* event) {
+  QDockWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    QStandardItem* const what = model_->item(row);
+    what->setIcon(sampleOf(carry::Crossing(what->data().toInt())));
   }
 }
 

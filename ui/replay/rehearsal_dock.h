@@ -28,7 +28,7 @@ class RehearsalDock : public QDockWidget {
   ~RehearsalDock() override;
 
   void setSaid(const QString& said);
-  void setStretches(const std::vector<carry::Stretch>& stretches, const scene::MapTheme& theme);
+  void setStretches(const std::vector<carry::Stretch>& stretches);
   /// Of a way that was chosen.
   void setChosen(bool chosen);
   /// It is being read or looked at.
@@ -60,6 +60,7 @@ class RehearsalDock : public QDockWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   QLabel* said_;
