@@ -19596,6 +19596,10 @@ Theirs: %6</source>
         <translation>选择参考地图</translation>
     </message>
     <message>
+        <source>Choose the map to align with</source>
+        <translation>选择要对齐的地图</translation>
+    </message>
+    <message>
         <source>Maps (*.yaml *.yml *.png *.pgm *.bmp)</source>
         <translation>地图 (*.yaml *.yml *.png *.pgm *.bmp)</translation>
     </message>
@@ -19622,10 +19626,6 @@ Theirs: %6</source>
     <message>
         <source>Reference map</source>
         <translation>参考地图</translation>
-    </message>
-    <message>
-        <source>No reference map</source>
-        <translation>没有参考地图</translation>
     </message>
     <message>
         <source>There is no reference map.</source>
@@ -19698,6 +19698,10 @@ Theirs: %6</source>
     <message>
         <source>There is no whole map on screen.</source>
         <translation>屏幕上没有整张地图。</translation>
+    </message>
+    <message>
+        <source>No reference map. Choose a plan or an older map of this place, to lay it under the map on screen.</source>
+        <translation>没有参考地图。请选择本地点的平面图或旧地图，把它铺在屏幕上的地图下面。</translation>
     </message>
 </context>
 <context>
@@ -19857,10 +19861,6 @@ Theirs: %6</source>
     <message>
         <source>&amp;Turned by</source>
         <translation>旋转(&amp;T)</translation>
-    </message>
-    <message>
-        <source>No reference map</source>
-        <translation>没有参考地图</translation>
     </message>
     <message>
         <source>There is no reference map.</source>

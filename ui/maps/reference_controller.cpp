@@ -254,9 +254,9 @@ void ReferenceController::rememberForMap() {
 }
 
 void ReferenceController::choose(bool align) {
-  const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Choose a reference map"),
-                                                    lastMapFolder(context_.settings),
-                                                    tr("Maps (*.yaml *.yml *.png *.pgm *.bmp)"));
+  const QString path = QFileDialog::getOpenFileName(
+      &context_.window, align ? tr("Choose the map to align with") : tr("Choose a reference map"),
+      lastMapFolder(context_.settings), tr("Maps (*.yaml *.yml *.png *.pgm *.bmp)"));
   if (path.isEmpty()) return;
   rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
   if (isBarePicture(path)) {
@@ -421,7 +421,8 @@ void ReferenceController::show() {
     trouble = {scene::gridCorners(where), !there, tr("Reference map"), sentences::sentenceOf(slot_.remark())};
   }
   context_.scene.setReferenceTrouble(std::move(trouble));
-  QString said = tr("No reference map");
+  QString said =
+      tr("No reference map. Choose a plan or an older map of this place, to lay it under the map on screen.");
   if (there) said = mapShownText(slot_);
   if (there && slot_.remark()) said = words::about(said, sentences::sentenceOf(slot_.remark()));
   if (!there && !address_.isEmpty()) said = mapProgressText(slot_);

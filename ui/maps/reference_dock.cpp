@@ -172,7 +172,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(clear_, &QPushButton::clicked, this, &ReferenceDock::pairsUnwanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { remove_pair_->setEnabled(table_->selectionModel()->hasSelection()); });
-  setMap(tr("No reference map"), false);
+  setMap({}, false);
   setState({}, {});
   setAlignment({});
   setWhyNoDifferences(tr("There is no reference map."));
