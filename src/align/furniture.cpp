@@ -81,7 +81,7 @@ void count(Furniture& found, const Plan& from, const Plan& to, const geometry::P
 }  // namespace
 
 bool Furniture::allDiffers() const { return pieces >= 20 && 20 * again <= pieces; }
-bool Furniture::mostDiffers() const { return pieces >= 4 && 5 * again <= pieces; }
+bool Furniture::mostDiffers() const { return pieces >= 4 && 5 * again <= 2 * pieces; }
 
 Furniture furnitureOf(const Plan& old_map, const Plan& new_map, const geometry::Pose2& pose) {
   Furniture found;

@@ -468,6 +468,8 @@ class TestAlignment : public QObject {
     found.doubt = align::Doubt::None;
     found.furniture = {11, 1};
     QVERIFY(align::alignmentText(found).contains(QLatin1String("Of 11 pieces of furniture 1 stand")));
+    found.furniture = {20, 7};  // as by chance on another floor, seen in a pair of them
+    QVERIFY(align::alignmentText(found).contains(QLatin1String("Of 20 pieces of furniture 7 stand")));
     found.furniture = {11, 6};
     QVERIFY(!align::alignmentText(found).contains(QLatin1String("furniture")));
     found.furniture = {3, 0};  // too few to tell anything
