@@ -47,6 +47,8 @@ void PlainLabel::setMostLines(int lines) {
   most_lines_ = std::max(lines, 1);
   QSizePolicy policy = sizePolicy();
   policy.setHeightForWidth(most_lines_ > 1);
+  // Layouts give a fixed one the height of one line, whatever the height for its width is.
+  policy.setVerticalPolicy(most_lines_ > 1 ? QSizePolicy::Minimum : QSizePolicy::Fixed);
   setSizePolicy(policy);
 }
 
