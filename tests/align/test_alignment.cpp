@@ -1,6 +1,6 @@
 // Two maps of one site are brought together, or it is said that this is not sure: never both wrong and sure.
 // MAPWRIGHT_TEST_SEEDS asks for more random sites, MAPWRIGHT_TEST_MAPS for real ones (pictures of 5 cm a
-// cell, separated by colons); the counts are printed (docs/measured.md).
+// cell, separated by colons); the counts are printed (docs/count-alignments).
 #include <array>
 #include <functional>
 #include <optional>
