@@ -1,9 +1,13 @@
-// Labels of plain text that may take several lines.
+// Labels: lines and colours.
+#include <QLabel>
 #include <QTest>
 #include <QVBoxLayout>
 
 #include "test_program.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/ui_colors.h"
 
 namespace test_plain_label {
 
@@ -29,6 +33,23 @@ class TestPlainLabel : public QObject {
     label->setText(QStringLiteral("Short."));
     layout->activate();
     QCOMPARE(label->height(), one);
+  }
+
+  void aTextIsReadableAfterTheThemeWasChanged() {
+    ui::applyTheme(*qApp, ui::ThemeChoice::Light);
+    QLabel quiet(QStringLiteral("3 waypoints."));
+    QLabel changing(QStringLiteral("It could not be read."));
+    ui::setTextColor(quiet, ui::appColors().secondary_text);
+    ui::setTextColor(changing, ui::appColors().secondary_text);
+    ui::setTextColor(changing, ui::appColors().error_text);
+    quiet.show();
+    changing.show();
+    for (const auto choice : {ui::ThemeChoice::Dark, ui::ThemeChoice::Light, ui::ThemeChoice::Dark}) {
+      ui::applyTheme(*qApp, choice);
+      QCOMPARE(quiet.palette().color(QPalette::WindowText), ui::appColors().secondary_text);
+      QCOMPARE(changing.palette().color(QPalette::WindowText), ui::appColors().error_text);
+    }
+    ui::applyTheme(*qApp, ui::ThemeChoice::System);
   }
 };
 

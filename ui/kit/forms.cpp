@@ -47,6 +47,40 @@ class WrappedLabel : public QLabel {
   }
 };
 
+/// The colour of a widget's text, which becomes that of another theme when it is changed.
+class TextColor : public QObject {
+ public:
+  explicit TextColor(QWidget& widget) : QObject(&widget), widget_(widget) { widget.installEventFilter(this); }
+  void set(const QColor& color) {
+    const UiColors colors = appColors();
+    role_ = nullptr;
+    for (QColor UiColors::*const role :
+         {&UiColors::text, &UiColors::secondary_text, &UiColors::error_text, &UiColors::warning_text,
+          &UiColors::ok_text, &UiColors::accent_text}) {
+      if (colors.*role == color) role_ = role;
+    }
+    put(color);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    const bool changed = event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange;
+    if (!changed || !role_) return false;
+    const QColor now = appColors().*role_;
+    if (widget_.palette().color(QPalette::WindowText) != now) put(now);
+    return false;
+  }
+
+ private:
+  void put(const QColor& color) {
+    QPalette palette = widget_.palette();
+    palette.setColor(QPalette::WindowText, color);
+    widget_.setPalette(palette);
+  }
+  QWidget& widget_;
+  QColor UiColors::*role_ = nullptr;
+};
+
 /// As high as there is room, but not below what its body needs at least. (A resizable QScrollArea scrolls as
 /// soon as there is less room than a body with lines that wrap would like.)
 class Scrolled : public QScrollArea {
@@ -158,9 +192,12 @@ void makeHeading(QWidget& widget, double scale) {
 }
 
 void setTextColor(QWidget& widget, const QColor& color) {
-  QPalette palette = widget.palette();
-  palette.setColor(QPalette::WindowText, color);
-  widget.setPalette(palette);
+  TextColor* found = nullptr;
+  for (QObject* const child : widget.children()) {
+    if (auto* const one = dynamic_cast<TextColor*>(child)) found = one;
+  }
+  if (!found) found = new TextColor(widget);
+  found->set(color);
 }
 
 QPushButton* compactButton(const QString& text, QWidget* parent, const QString& tip) {
