@@ -70,7 +70,6 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   }
   add_->setIcon(themedIcon(QStringLiteral("add")));
   remove_->setIcon(themedIcon(QStringLiteral("trash")));
-  remove_->setObjectName(QStringLiteral("deleteWaypoints"));
   save_->setIcon(themedIcon(QStringLiteral("save")));
 
   next_warning_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
