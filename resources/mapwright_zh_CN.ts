@@ -19948,6 +19948,14 @@ Theirs: %6</source>
         <source>%1 %</source>
         <translation>%1%</translation>
     </message>
+    <message>
+        <source>Show that part</source>
+        <translation>显示该部分</translation>
+    </message>
+    <message>
+        <source>Look at where its walls lie beside those on screen</source>
+        <translation>查看其墙与屏幕上的墙错开的位置</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::ReferenceTool</name>

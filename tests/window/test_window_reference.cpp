@@ -8,6 +8,7 @@
 
 #include "reference_bench.h"
 #include "test_program.h"
+#include "ui/scene/map_scene.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -349,6 +350,22 @@ class TestWindowReference : public QObject {
     QVERIFY(bench.dock()->alignmentFigures().isEmpty());
     bench.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(bench.dock()->alignmentSaid().startsWith(QLatin1String("Sure")));
+  }
+
+  void aPartThatLiesBesideIsShown() {
+    ReferenceBench bench;
+    bench.openOn(Site::rooms(), Site::rooms());
+    ui::AlignmentShown shown;
+    shown.agreement.emplace();
+    bench.dock()->setAlignment(shown);
+    QVERIFY(!bench.dock()->partButton()->isVisible());
+    shown.agreement->part = align::OffSquare{{4.5, -1.5}, 30, 0.15};
+    bench.dock()->setAlignment(shown);
+    QTest::mouseClick(bench.dock()->partButton(), Qt::LeftButton);
+    const auto& marker = bench.window->mapScene()->marker();
+    QVERIFY(marker && *marker == Eigen::Vector2d(4.5, -1.5));
+    bench.dock()->setAlignment({});
+    QVERIFY(!bench.dock()->partButton()->isVisible());
   }
 
   void nothingMovesWhereItIsNotSure() {

@@ -29,6 +29,7 @@
 #include "ui/maps/reference_tool.h"
 #include "ui/scene/map_scene.h"
 #include "ui/shell/current_session.h"
+#include "ui/shell/viewpoint.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
@@ -168,6 +169,12 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(dock_, &ReferenceDock::alignWanted, this, &ReferenceController::align);
   connect(dock_, &ReferenceDock::alignCancelled, this, &ReferenceController::forgetAlignment);
   connect(dock_, &ReferenceDock::candidateWanted, this, &ReferenceController::layCandidate);
+  connect(dock_, &ReferenceDock::placeWanted, this, [this](const Eigen::Vector2d& at) {
+    constexpr double kAround_m = 3;
+    context_.scene.setMarker(at);
+    context_.viewpoint.lookAt(
+        {at.x() - kAround_m, at.y() - kAround_m, at.x() + kAround_m, at.y() + kAround_m});
+  });
   connect(dock_, &ReferenceDock::differencesWanted, this, &ReferenceController::syncDifferences);
   connect(dock_->wallsOffBox(), &QCheckBox::toggled, this,
           [this](bool on) { context_.scene.setLayerVisible(scene::Layer::WallsOff, on); });

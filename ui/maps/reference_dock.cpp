@@ -83,6 +83,8 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                           tr("Lay the reference map there to look at it"))),
       second_(compactButton(tr("Show the second best"), candidates_,
                             tr("Lay the reference map there to look at it"))),
+      part_(compactButton(tr("Show that part"), this,
+                          tr("Look at where its walls lie beside those on screen"))),
       differences_(new QCheckBox(tr("Differences"), this)),
       walls_off_(new QCheckBox(tr("Walls that are off"), this)),
       swipe_(compactButton(tr("Swipe"), this)),
@@ -143,6 +145,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             running_,
                             said_,
                             candidates_,
+                            rowOf({part_, LayoutItem::rest()}),
                             figures_,
                             agreement_,
                             shows,
@@ -163,6 +166,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(cancel_, &QPushButton::clicked, this, &ReferenceDock::alignCancelled);
   connect(best_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(false); });
   connect(second_, &QPushButton::clicked, this, [this] { Q_EMIT candidateWanted(true); });
+  connect(part_, &QPushButton::clicked, this, [this] { Q_EMIT placeWanted(part_m_); });
   connect(differences_, &QCheckBox::toggled, this, &ReferenceDock::differencesWanted);
   connect(swipe_, &QPushButton::clicked, this, &ReferenceDock::swipeWanted);
   connect(carry_, &QPushButton::clicked, this, &ReferenceDock::carryWanted);
@@ -269,6 +273,9 @@ void ReferenceDock::setAlignment(const AlignmentShown& shown) {
     for (std::size_t row = 0; row < distances_.size(); ++row)
       distances_[row][std::size_t(side)]->setText(texts[row]);
   }
+  const bool part_off = shown.agreement && shown.agreement->part && !shown.offers;
+  part_->setVisible(part_off);
+  if (part_off) part_m_ = shown.agreement->part->middle_m;
   candidates_->setVisible(shown.offers);
   second_->setVisible(shown.has_second);
   best_->setEnabled(!shown.best_laid);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
 #include <QDockWidget>
 #include <QString>
 
@@ -61,6 +62,7 @@ class ReferenceDock : public QDockWidget {
   QPushButton* cancelButton() const { return cancel_; }
   QPushButton* bestButton() const { return best_; }
   QPushButton* secondButton() const { return second_; }
+  QPushButton* partButton() const { return part_; }
   QCheckBox* differencesBox() const { return differences_; }
   QCheckBox* wallsOffBox() const { return walls_off_; }
   QPushButton* swipeButton() const { return swipe_; }
@@ -88,6 +90,7 @@ class ReferenceDock : public QDockWidget {
   void alignWanted();
   void alignCancelled();
   void candidateWanted(bool second);
+  void placeWanted(const Eigen::Vector2d& world_m);  // on the map on screen
   void differencesWanted(bool shown);
   void swipeWanted();
   void carryWanted();
@@ -111,6 +114,8 @@ class ReferenceDock : public QDockWidget {
   std::array<std::array<QLabel*, 2>, 5> distances_{};
   QWidget* candidates_;
   QPushButton *best_, *second_;
+  QPushButton* part_;  // that lies beside
+  Eigen::Vector2d part_m_{0, 0};
   QCheckBox* differences_;
   QCheckBox* walls_off_;
   QPushButton* swipe_;
