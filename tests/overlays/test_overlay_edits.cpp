@@ -147,7 +147,8 @@ class OverlayEditsTest : public QObject {
                                     R"(,"features":[)" + features + "]}");
     };
     const auto boxOf = [](const OverlayDocument& document) {
-      const auto box = document.collection()->root().member("bbox");
+      const auto collection = document.collection();
+      const auto box = collection->root().member("bbox");
       return box ? std::string(box->text()) : std::string();
     };
     const std::string a = wall("a", "[[0,0],[1,1]]"), b = wall("b", "[[2,2],[3,4]]");
