@@ -118,6 +118,13 @@ struct Hall {
 
 constexpr CellRect kSpot{30, 40, 34, 44};
 
+/// The first picture that is sent goes wrong.
+simulator::Faults firstSave(simulator::FaultKind kind, simulator::Requests of) {
+  simulator::Faults faults;
+  faults.requests.push_back({kind, of, 1, 0, "/map_manager/update_map_image"});
+  return faults;
+}
+
 /// What the desktop is asked to show.
 class ShownFolders : public QObject {
   Q_OBJECT
@@ -405,10 +412,7 @@ class TestWindowKabamPicture : public QObject {
   }
 
   void whatTheRobotDoesNotShowIsToldAndStaysUnsaved() {
-    simulator::Faults faults;
-    faults.requests.push_back(
-        {simulator::FaultKind::Ignore, simulator::kWrites, 1, 0, "/map_manager/update_map_image"});
-    Hall hall(faults);
+    Hall hall(firstSave(simulator::FaultKind::Ignore, simulator::kWrites));
     hall.confirm = std::chrono::milliseconds(100);
     hall.open();
     hall.paint(kSpot);
@@ -422,10 +426,7 @@ class TestWindowKabamPicture : public QObject {
   }
 
   void aLinkLostAfterwardsIsNoDoubtWhereTheMapShowsIt() {
-    simulator::Faults faults;
-    faults.requests.push_back(
-        {simulator::FaultKind::Cut, simulator::kServices, 1, 0, "/map_manager/update_map_image"});
-    Hall hall(faults);
+    Hall hall(firstSave(simulator::FaultKind::Cut, simulator::kServices));
     hall.open();
     hall.paint(kSpot);
     hall.save();
@@ -439,10 +440,7 @@ class TestWindowKabamPicture : public QObject {
 
   /// What was on its way before says nothing about what became of it.
   void whatTheRobotSentBeforeIsNoAnswer() {
-    simulator::Faults faults;
-    faults.requests.push_back(
-        {simulator::FaultKind::Cut, simulator::kServices, 1, 0, "/map_manager/update_map_image"});
-    Hall hall(faults);
+    Hall hall(firstSave(simulator::FaultKind::Cut, simulator::kServices));
     hall.confirm = std::chrono::milliseconds(1);
     hall.open();
     hall.paint(kSpot);
@@ -458,10 +456,7 @@ class TestWindowKabamPicture : public QObject {
   }
 
   void aLinkLostBeforeItWasStoredIsToldOnceItIsBack() {
-    simulator::Faults faults;
-    faults.requests.push_back(
-        {simulator::FaultKind::Drop, simulator::kWrites, 1, 0, "/map_manager/update_map_image"});
-    Hall hall(faults);
+    Hall hall(firstSave(simulator::FaultKind::Drop, simulator::kWrites));
     hall.confirm = std::chrono::milliseconds(200);
     hall.open();
     hall.paint(kSpot);
