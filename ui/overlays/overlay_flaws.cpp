@@ -72,10 +72,11 @@ OverlayFlaws::OverlayFlaws(QWidget* parent)
   radius_->setToolTip(tr("Radius of the robot: 0 is that of its own footprint"));
   setToldRadius(placing::kUsualRadiusM);
   fillMenu();
+  // Above the list: below it, it is out of sight in a low window.
   setLayout(columnOf({rowOf({rules_, LayoutItem::rest(), radius_}, 4, QMargins(6, 4, 6, 4)),
+                      not_checked_,
                       {list_, 1},
-                      more_,
-                      not_checked_},
+                      more_},
                      0, QMargins()));
   for (QLabel* label : {more_, not_checked_}) label->setContentsMargins(8, 2, 8, 2);
   more_->hide();
