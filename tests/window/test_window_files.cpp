@@ -8,6 +8,7 @@
 #include <QSemaphore>
 #include <QtTest>
 
+#include "fake_robot.h"
 #include "test_program.h"
 #include "ui/kit/folders.h"
 #include "ui/maps/expected_controller.h"
@@ -283,6 +284,41 @@ class TestWindowFiles : public QObject {
     QVERIFY(world.open(QIODevice::ReadOnly));
     QCOMPARE(world.readAll().split('\n').first().trimmed().toDouble(), 0.05);
     QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().startsWith(QLatin1String("Exported to")));
+  }
+
+  void dialogsStartInTheFolderOfWhatIsOpen() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(QDir(bench.folder.path()).mkdir(QStringLiteral("site")));
+    const QString folder = bench.folder.filePath(QStringLiteral("site"));
+    QVERIFY(!window.connectTo(fileAddress(folder + QStringLiteral("/map.yaml"))));
+    QCOMPARE(lastMapFolder(bench.settings), folder);
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(lastMapFolder(bench.settings), folder);
+  }
+
+  void asksBeforeAMapThatBreaksOffIsExported() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    map::WholeMap cut = test::wholeMap({map::MapKind::Stored, "2"}, "Attic", 80, 60);
+    cut.bytes = std::make_shared<const std::string>(cut.bytes->substr(0, cut.bytes->size() * 3 / 4));
+    bench.robot->maps.pictures.emplace("2", std::move(cut));
+    part<MapsController>(window)->open({map::MapKind::Stored, "2"});
+    QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
+    bench.action("export")->trigger();
+    ExportDialog* dialog = part<ExportDialog>(window);
+    const QString path = bench.folder.filePath(QStringLiteral("out.png"));
+    dialog->pathEdit()->setText(path);
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QCOMPARE(dialog->errorText(),
+             QStringLiteral("Parts of this map could not be read. They would be unknown cells. "
+                            "Press Export again to write them anyway."));
+    QVERIFY(!QFile::exists(path));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QTRY_VERIFY(!part<ExportDialog>(window) || !part<ExportDialog>(window)->isVisible());
+    QCOMPARE(QImage(path).size(), QSize(80, 60));
   }
 
   void theMapIsComparedWithAnExpectedPicture() {

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QMimeData>
 
+#include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/status_text.h"
@@ -29,6 +30,14 @@ FilesController::FilesController(WindowContext& context, PicturePlacing& placing
   context_.view.setAcceptDrops(false);
   context_.view.viewport()->setAcceptDrops(false);
   context_.window.installEventFilter(this);
+}
+
+void FilesController::setSession(session::Session* session) {
+  if (!session) return;
+  const auto address = context_.addresses.parse(session->robot().address());
+  if (!address || address->path.isEmpty()) return;
+  const QFileInfo opened(address->path);
+  rememberMapFolder(context_.settings, opened.isDir() ? opened.absoluteFilePath() : opened.absolutePath());
 }
 
 void FilesController::choose() {

@@ -12,6 +12,8 @@ class FilesController : public Controller {
  public:
   FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent = nullptr);
 
+  /// Dialogs start in the folder of what is open, however it was opened.
+  void setSession(session::Session* session) override;
   void choose();
   /// A map.yaml, a recording, a picture (asks for its position) or a folder. Errors are shown as a toast.
   void open(const QString& path);
