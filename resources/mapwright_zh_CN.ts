@@ -370,7 +370,7 @@
         <translation>位置大致正确，但两张地图都能看到的墙不足以将其确定到 5 cm 和 0.3 度以内。可用两张地图上都有的两个点手动对齐。</translation>
     </message>
     <message>
-        <source>The walls agree, but as good as no furniture does: it may be another floor of the same shape. If you know that it is not, give one point that is on both maps.</source>
+        <source>The walls agree, but almost no furniture does: it may be another floor of the same shape. If you know that it is not, give one point that is on both maps.</source>
         <translation>墙是一致的，但几乎没有一件家具一致：可能是形状相同的另一楼层。如果您知道不是，请给出一个在两张地图上都有的点。</translation>
     </message>
     <message>
@@ -5361,7 +5361,7 @@
         <translation>状况</translation>
     </message>
     <message>
-        <source>There is nothing to draw: the bag tells of no map and no position up to this time.</source>
+        <source>There is nothing to draw: the bag has no map and no position up to this time.</source>
         <translation>没有可绘制的内容：到该时间为止，数据包中没有地图和位置。</translation>
     </message>
     <message>
@@ -5563,7 +5563,7 @@
         <translation>位置：到该时间为止，数据包中没有。</translation>
     </message>
     <message>
-        <source>Position quality: the bag does not tell it up to this time.</source>
+        <source>Position quality: not in the bag up to this time.</source>
         <translation>位置质量：到该时间为止，数据包中没有说明。</translation>
     </message>
     <message>
@@ -5571,7 +5571,7 @@
         <translation>速度：该时间前后的位置太少。</translation>
     </message>
     <message>
-        <source>Planner: the bag does not tell its state up to this time.</source>
+        <source>Planner state: not in the bag up to this time.</source>
         <translation>规划器：到该时间为止，数据包中没有说明其状态。</translation>
     </message>
     <message>
@@ -5579,7 +5579,7 @@
         <translation>路径：到该时间为止，数据包中没有。</translation>
     </message>
     <message>
-        <source>Emergency stop: the bag does not tell it up to this time.</source>
+        <source>Emergency stop: not in the bag up to this time.</source>
         <translation>急停：到该时间为止，数据包中没有说明。</translation>
     </message>
     <message>
@@ -5587,7 +5587,7 @@
         <translation>防撞条：到该时间为止，数据包中没有相关话题。</translation>
     </message>
     <message>
-        <source>Battery: the bag does not tell it up to this time.</source>
+        <source>Battery: not in the bag up to this time.</source>
         <translation>电池：到该时间为止，数据包中没有说明。</translation>
     </message>
     <message>
@@ -5595,11 +5595,11 @@
         <translation>激光扫描：到该时间为止，数据包中没有。</translation>
     </message>
     <message>
-        <source>The robot&apos;s outline: the bag does not tell it up to this time.</source>
+        <source>The robot&apos;s outline: not in the bag up to this time.</source>
         <translation>机器人外形：到该时间为止，数据包中没有说明。</translation>
     </message>
     <message>
-        <source>Map: the bag does not tell which one was used up to this time.</source>
+        <source>Map: the bag does not say which one was used up to this time.</source>
         <translation>地图：到该时间为止，数据包中没有说明使用的是哪一张。</translation>
     </message>
     <message>
@@ -5619,7 +5619,7 @@
         <translation>事件报告：%1，%2 UTC</translation>
     </message>
     <message>
-        <source>What the recording tells of this moment. All times are UTC. What is said to be consistent was so at the same time; only what the robot says itself is a reason.</source>
+        <source>What the recording says about this moment. All times are UTC. What is said to be consistent was so at the same time; only what the robot says itself is a reason.</source>
         <translation>录制文件对这一时刻的说明。所有时间均为 UTC。所谓“相符”只表示同时发生；只有机器人自述的才是原因。</translation>
     </message>
     <message>
@@ -5727,7 +5727,7 @@
         <translation>已去掉：轨迹 %1，子图 %2，节点 %3，INTER 约束 %4，INTRA 约束 %5；记录 %6。</translation>
     </message>
     <message>
-        <source>%1 was written, read again and compared. Written anew: the pose graph%2; every other record kept its bytes.</source>
+        <source>%1 was written, read again and compared. Rewritten: the pose graph%2; every other record kept its bytes.</source>
         <translation>%1 已写入、重新读取并比较。重新写入的内容：位姿图%2；其他记录均逐字节保留。</translation>
     </message>
     <message>
@@ -8255,7 +8255,7 @@ Do you want to delete it anyway?</source>
         <translation>机器人重定位成功，位于 %1%2。</translation>
     </message>
     <message>
-        <source>The robot may be at %1%2. It has not taken that over: confirm it.</source>
+        <source>The robot may be at %1%2. It does not use this pose yet: confirm it.</source>
         <translation>机器人可能位于 %1%2。它尚未采用该结果：请确认。</translation>
     </message>
     <message>
@@ -10202,7 +10202,7 @@ Do you want to delete it anyway?</source>
         <translation>其分辨率 %1 已按每像素厘米数读取：只有这样，其点的像素才与米相符。</translation>
     </message>
     <message>
-        <source>Whether its resolution %1 means pixels per metre or centimetres per pixel cannot be told by its points. It was read as pixels per metre, as its maker says.</source>
+        <source>Whether its resolution %1 means pixels per metre or centimetres per pixel cannot be seen from its points. It was read as pixels per metre, as its maker says.</source>
         <translation>根据其点无法判断分辨率 %1 表示每米像素数还是每像素厘米数。已按厂商的说明，作为每米像素数读取。</translation>
     </message>
     <message>
@@ -12469,7 +12469,7 @@ Expected at %2</source>
         <translation>未设置</translation>
     </message>
     <message>
-        <source>Racks and pallets of this map have these sizes where nothing else is told. Can be undone; sent when you save.</source>
+        <source>Racks and pallets of this map have these sizes where nothing else is given. Can be undone; sent when you save.</source>
         <translation>此地图的货架和托盘在未另行说明时采用这些尺寸。可以撤销；保存时下发。</translation>
     </message>
     <message>
@@ -16942,7 +16942,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <translation>机器人的位置未知。</translation>
     </message>
     <message>
-        <source>This robot does not tell what it sees.</source>
+        <source>This robot does not report what it sees.</source>
         <translation>该机器人不说明它看到什么。</translation>
     </message>
     <message>
@@ -19883,7 +19883,7 @@ Theirs: %6</source>
         <translation>屏幕上</translation>
     </message>
     <message>
-        <source>How far the walls of the map on screen are from one of the reference map</source>
+        <source>How far the walls of the map on screen are from those of the reference map</source>
         <translation>屏幕上地图的墙与参考地图的墙相距多远</translation>
     </message>
     <message>
@@ -22922,7 +22922,7 @@ Theirs: %6</source>
         <translation>新文件与应有的内容不符，已移除。</translation>
     </message>
     <message>
-        <source>there is not enough memory to write it anew</source>
+        <source>there is not enough memory to rewrite it</source>
         <translation>内存不足，无法重新写出</translation>
     </message>
     <message>
@@ -22990,7 +22990,7 @@ Theirs: %6</source>
         <translation>它不含记录。</translation>
     </message>
     <message>
-        <source>from there on %1 bytes are zero, and nothing is in them</source>
+        <source>from there on %1 bytes are zero</source>
         <translation>从那里起 %1 字节为零，其中没有内容</translation>
     </message>
     <message>
@@ -24108,7 +24108,7 @@ Theirs: %6</source>
         <translation> 或 </translation>
     </message>
     <message>
-        <source>%1 has too many decimals: %2 is taken.</source>
+        <source>%1 has too many decimals: %2 is used.</source>
         <translation>%1 的小数位太多：取为 %2。</translation>
     </message>
     <message>

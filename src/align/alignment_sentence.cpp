@@ -76,7 +76,7 @@ QString doubtText(const Alignment& alignment) {
           "points that are on both maps align them by hand.");
     case Doubt::OtherFloor:
       return AlignmentText::tr(
-          "The walls agree, but as good as no furniture does: it may be another floor of the same shape. If "
+          "The walls agree, but almost no furniture does: it may be another floor of the same shape. If "
           "you know that it is not, give one point that is on both maps.");
     case Doubt::Slides:
       return AlignmentText::tr(

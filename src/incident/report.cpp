@@ -247,7 +247,7 @@ void writeSafety(page::Page& page, const Run& run) {
 void writeMap(page::Page& page, const Run& run) {
   if (run.picture.isEmpty()) {
     page.paragraph(
-        ReportText::tr("There is nothing to draw: the bag tells of no map and no position up to this time."),
+        ReportText::tr("There is nothing to draw: the bag has no map and no position up to this time."),
         Tone::Muted);
   } else {
     page.picture(run.picture, run.picture_px,
@@ -487,23 +487,21 @@ QStringList notKnown(const Run& run) {
   };
   lacks(live.robot_pose.has_value(), ReportText::tr("Position: the bag holds none up to this time."));
   lacks(live.slam.position_quality || live.slam.reliable,
-        ReportText::tr("Position quality: the bag does not tell it up to this time."));
+        ReportText::tr("Position quality: not in the bag up to this time."));
   lacks(valueAt(run, series::Quantity::Speed).has_value(),
         ReportText::tr("Speed: there are too few positions around this time."));
   lacks(live.planning && !live.planning->move_state.empty(),
-        ReportText::tr("Planner: the bag does not tell its state up to this time."));
+        ReportText::tr("Planner state: not in the bag up to this time."));
   lacks(live.path.size() > 1 || live.local_path.points.size() > 1,
         ReportText::tr("Path: the bag holds none up to this time."));
   lacks(live.wheels && live.wheels->emergency_stop,
-        ReportText::tr("Emergency stop: the bag does not tell it up to this time."));
+        ReportText::tr("Emergency stop: not in the bag up to this time."));
   lacks(!run.said.empty(), ReportText::tr("Bumpers: the bag has no topic about them up to this time."));
-  lacks(live.battery && live.battery->level,
-        ReportText::tr("Battery: the bag does not tell it up to this time."));
+  lacks(live.battery && live.battery->level, ReportText::tr("Battery: not in the bag up to this time."));
   lacks(!live.clouds.empty(), ReportText::tr("Scan: the bag holds none up to this time."));
-  lacks(radiusOf(live.model) > 0,
-        ReportText::tr("The robot's outline: the bag does not tell it up to this time."));
+  lacks(radiusOf(live.model) > 0, ReportText::tr("The robot's outline: not in the bag up to this time."));
   lacks(!run.map_name.empty(),
-        ReportText::tr("Map: the bag does not tell which one was used up to this time."));
+        ReportText::tr("Map: the bag does not say which one was used up to this time."));
   lacks(!run.overlays.empty(),
         ReportText::tr("Overlays: none are known, so walls, regions and doors may be missing."));
   for (const robot::BagTopic& topic : run.info.topics) {
@@ -520,7 +518,7 @@ bool writeReport(QIODevice& out, const Report& report) {
   page::Page page(out, ReportText::tr("Incident report: %1, %2 UTC").arg(named(run.name), utcText(run.at_s)));
   page.paragraph(
       ReportText::tr(
-          "What the recording tells of this moment. All times are UTC. What is said to be consistent "
+          "What the recording says about this moment. All times are UTC. What is said to be consistent "
           "was so at the same time; only what the robot says itself is a reason."),
       Tone::Muted);
   if (report.against) {

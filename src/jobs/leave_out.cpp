@@ -35,7 +35,7 @@ QStringList leftOutSentences(const pbstream::DropReceipt& receipt, const QString
                        "constraints %5; records %6.")
           .arg(counted(receipt.trajectories), counted(receipt.submaps), counted(receipt.nodes),
                counted(receipt.inter), counted(receipt.intra), counted(receipt.records)),
-      LeaveOutText::tr("%1 was written, read again and compared. Written anew: the pose graph%2; every other "
+      LeaveOutText::tr("%1 was written, read again and compared. Rewritten: the pose graph%2; every other "
                        "record kept its bytes.")
           .arg(to, receipt.rewritten > 1 ? LeaveOutText::tr(" and the options") : QString()),
       LeaveOutText::tr(

@@ -78,7 +78,7 @@ QString searchReport(const map::GlobalPositioning& found) {
   if (foundItself(found))
     return SetPoseText::tr("The robot found itself at %1%2.").arg(poseWords(*found.pose), score);
   if (found.pose && found.needs_confirmation.value_or(false))
-    return SetPoseText::tr("The robot may be at %1%2. It has not taken that over: confirm it.")
+    return SetPoseText::tr("The robot may be at %1%2. It does not use this pose yet: confirm it.")
         .arg(poseWords(*found.pose), score);
   return said.isEmpty() ? SetPoseText::tr("The robot did not find itself.")
                         : SetPoseText::tr("The robot did not find itself: %1").arg(said);

@@ -437,7 +437,7 @@ class Dropping {
     }
     const packed::ByteBuffer packed =
         packed::packGzip({reinterpret_cast<const std::uint8_t*>(message.data()), message.size()});
-    if (packed.size == 0) return faultText("pbstream", "there is not enough memory to write it anew");
+    if (packed.size == 0) return faultText("pbstream", "there is not enough memory to rewrite it");
     std::uint8_t size[kSizeBytes];
     for (std::size_t i = 0; i < kSizeBytes; ++i) size[i] = std::uint8_t(packed.size >> (8 * i));
     out.write(size, sizeof size);

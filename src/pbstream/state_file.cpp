@@ -150,7 +150,7 @@ class Reading {
       more = end == bytes.end() && !bytes.empty() && !(cancelled_ && cancelled_());
     }
     const std::uint64_t count = std::max<std::uint64_t>(zeros / kSizeBytes, 1);
-    warn(inRecord(from, {faultText("pbstream", "from there on %1 bytes are zero, and nothing is in them"),
+    warn(inRecord(from, {faultText("pbstream", "from there on %1 bytes are zero"),
                          {words::grouped(std::int64_t(count * kSizeBytes))}}));
     const std::uint64_t zero = 0;
     hash_.addData({reinterpret_cast<const char*>(&zero), qsizetype(sizeof zero)});

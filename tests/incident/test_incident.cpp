@@ -187,7 +187,7 @@ class IncidentTest : public QObject {
     run.live.planning->targets = {{1, 2, 0}};
     const QString html = htmlOf({run, {}, {}, false});
     QVERIFY(html.contains(QLatin1String("state unknown")) && !html.contains(QLatin1String("idle")));
-    QVERIFY(html.contains(QLatin1String("Planner: the bag does not tell its state")));
+    QVERIFY(html.contains(QLatin1String("Planner state: not in the bag")));
   }
 
   /// A report of nothing is a report.

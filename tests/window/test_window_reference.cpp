@@ -258,9 +258,9 @@ class TestWindowReference : public QObject {
     };
     row("1e9", 5, "1e9 is too large: at most 10000000.000 m.");
     row("1.5E2", 150, "");
-    row("0.0001", 0, "0.0001 has too many decimals: 0.000 m is taken.");
+    row("0.0001", 0, "0.0001 has too many decimals: 0.000 m is used.");
     row("12345678901234567890", 5, "12345678901234567890 is too large: at most 10000000.000 m.");
-    row("0.12345678901234567890", 0.123, "0.12345678901234567890 has too many decimals: 0.123 m is taken.");
+    row("0.12345678901234567890", 0.123, "0.12345678901234567890 has too many decimals: 0.123 m is used.");
     row("-2.", -2, "");
     row("1e", 5, "1e is no number.");
     row("-", 5, "- is no number.");

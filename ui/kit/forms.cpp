@@ -242,7 +242,7 @@ bool isNumberBegun(const QString& typed) {
 }
 
 QString roundedText(const QString& typed, const QString& taken) {
-  return QCoreApplication::translate("window", "%1 has too many decimals: %2 is taken.").arg(typed, taken);
+  return QCoreApplication::translate("window", "%1 has too many decimals: %2 is used.").arg(typed, taken);
 }
 
 QString noNumberText(const QString& typed) {

@@ -82,7 +82,7 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text);
 /// "0 is too small: at least 0.05 m."
 QString tooSmallText(const QString& typed, const QString& least);
 QString tooLargeText(const QString& typed, const QString& most);
-/// "0.0001 has too many decimals: 0.000 m is taken."
+/// "0.0001 has too many decimals: 0.000 m is used."
 QString roundedText(const QString& typed, const QString& taken);
 QString noNumberText(const QString& typed);
 

@@ -199,7 +199,7 @@ void ReferenceDock::makeAgreement() {
   put(tr("Walls"), 0, 0);
   put(tr("Reference"), 0, 1)->setToolTip(tr("How far the walls of the reference map are from one on screen"));
   put(tr("On screen"), 0, 2)
-      ->setToolTip(tr("How far the walls of the map on screen are from one of the reference map"));
+      ->setToolTip(tr("How far the walls of the map on screen are from those of the reference map"));
   const QString rows[] = {tr("Within 10 cm"), tr("Median"), tr("95 % within"), tr("Largest"), tr("Compared")};
   for (int row = 0; row < int(distances_.size()); ++row) {
     put(rows[row], row + 1, 0);

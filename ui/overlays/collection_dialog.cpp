@@ -63,7 +63,7 @@ CollectionDialog::CollectionDialog(const Feature& collection, QWidget* parent)
     form->addRow(names[i], boxes_[i]);
   }
   auto* const about = wrappedLabel(tr("Racks and pallets of this map have these sizes where nothing else is "
-                                      "told. Can be undone; sent when "
+                                      "given. Can be undone; sent when "
                                       "you save."),
                                    this);
   auto* const column = columnOf({about, form}, 8);

@@ -140,7 +140,7 @@ void OverlayTeaching::refresh() {
   allow(place_, why.isEmpty() && robot_known_,
         why.isEmpty() ? tr("The position of the robot is unknown.") : why);
   const QString cannot = !why.isEmpty() ? why
-                         : !source()    ? tr("This robot does not tell what it sees.")
+                         : !source()    ? tr("This robot does not report what it sees.")
                          : asking()     ? tr("The robot has not answered yet.")
                                         : QString();
   for (const Thing& thing : things_) allow(thing.action, cannot.isEmpty(), cannot);

@@ -27,7 +27,7 @@ inline constexpr FaultCode ScaleUntold{
     "aimdk",
     QT_TRANSLATE_NOOP("aimdk",
                       "Whether its resolution %1 means pixels per metre or centimetres per pixel cannot "
-                      "be told by its points. It was read as pixels per metre, as its maker says.")};
+                      "be seen from its points. It was read as pixels per metre, as its maker says.")};
 /// resolution
 inline constexpr FaultCode ScaleFitsNeither{
     "aimdk",
