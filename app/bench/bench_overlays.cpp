@@ -179,6 +179,23 @@ void overlaysEdit(benchmark::State& state) {
 }
 BENCHMARK(overlaysEdit)->Args({10'000, 1})->Args({10'000, 1'000})->Unit(benchmark::kMillisecond);
 
+/// An arrow key that is held down: all steps of it are one.
+void overlaysNudge(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  desk.editing.select(desk.some(std::size_t(state.range(0))));
+  for (auto _ : state) {
+    desk.editing.changeSelected(
+        QStringLiteral("move"),
+        [](const overlays::Feature& feature) {
+          return overlays::movedBy(feature, {0.05, 0});
+        },
+        1);
+    QApplication::processEvents();
+  }
+}
+BENCHMARK(overlaysNudge)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
 void overlaysSelect(benchmark::State& state) {
   OverlayDesk desk;
   desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));

@@ -449,6 +449,14 @@ std::string canonical(const JsonValue& value) {
   }
 }
 
+bool sameValue(const JsonValue& a, const JsonValue& b) {
+  if (a.text() == b.text()) return true;
+  if (a.kind() != b.kind()) return false;
+  if (a.kind() != JsonKind::Array) return canonical(a) == canonical(b);
+  const std::vector<JsonValue> left = a.children(), right = b.children();
+  return std::equal(left.begin(), left.end(), right.begin(), right.end(), sameValue);
+}
+
 std::string quoted(std::string_view plain) {
   constexpr char kHex[] = "0123456789abcdef";
   std::string out = "\"";

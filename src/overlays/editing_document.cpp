@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <unordered_map>
 
 #include "overlays/overlay_box.h"
 
@@ -128,14 +129,15 @@ bool EditingDocument::change(std::vector<FeatureEdit> edits, bool joins) {
     done_ = steps_.size();
     return true;
   }
+  auto& last = steps_.back();
+  std::unordered_map<FeatureKey, std::size_t> index_of;
+  for (std::size_t i = 0; i < last.size(); ++i) index_of.emplace(last[i].key, i);
   for (FeatureEdit& edit : edits) {
-    auto& last = steps_.back();
-    const auto known =
-        std::find_if(last.begin(), last.end(), [&](const FeatureEdit& each) { return each.key == edit.key; });
-    if (known == last.end()) {
+    const auto [known, is_new] = index_of.try_emplace(edit.key, last.size());
+    if (is_new) {
       last.push_back(std::move(edit));
     } else {
-      known->after = std::move(edit.after);
+      last[known->second].after = std::move(edit.after);
     }
   }
   return true;

@@ -1,5 +1,6 @@
 // JSON as it is written: nothing but what is edited changes, and what is no JSON is refused with its place.
 #include <cmath>
+#include <random>
 
 #include <QTest>
 
@@ -32,6 +33,22 @@ std::string known(const JsonValue& value) {
                     std::to_string(value.begin()) + ',' + std::to_string(value.keyBegin()) + ';';
   for (const JsonValue& child : value.children()) all += known(child);
   return all;
+}
+
+/// One of few values, so that two of them are often the same and are seldom written alike.
+std::string someValue(std::mt19937& random, int depth) {
+  constexpr const char* kPlain[] = {"1",     "1.0",         "1e0",   "10e-1", "0",    "-0",    "2",
+                                    "\"a\"", "\"\\u0061\"", "\"1\"", "null",  "true", "false", "NaN"};
+  const auto upTo = [&random](unsigned most) { return unsigned(random()) % (most + 1); };
+  const unsigned kind = depth == 0 ? 0 : upTo(2);
+  if (kind == 0) return kPlain[upTo(unsigned(std::size(kPlain)) - 1)];
+  std::string text(1, kind == 1 ? '[' : '{');
+  for (unsigned left = upTo(2); left-- > 0;) {
+    if (kind == 2) text += upTo(1) ? "\"x\":" : "\"y\": ";
+    text += someValue(random, depth - 1);
+    text += left > 0 ? ", " : "";
+  }
+  return text + (kind == 1 ? ']' : '}');
 }
 
 bool same(const char* a, const char* b) { return sameValue(read(a).root(), read(b).root()); }
@@ -166,6 +183,19 @@ class JsonTextTest : public QObject {
     QVERIFY(!same("1e400", "1e500"));
     QVERIFY(same("NaN", "NaN"));
     QVERIFY(!same(R"({"a":1})", R"({"a":1,"b":null})"));
+  }
+
+  void valuesAreTheSameExactlyIfTheirCanonicalTextsAre() {
+    std::mt19937 random(7);
+    int agreed = 0, pairs = 0;
+    for (; pairs < 20'000; ++pairs) {
+      const JsonText a = read(someValue(random, 2)), b = read(someValue(random, 2));
+      const bool wanted = canonical(a.root()) == canonical(b.root());
+      QVERIFY2(sameValue(a.root(), b.root()) == wanted,
+               (std::string(a.root().text()) + "  " + std::string(b.root().text())).c_str());
+      agreed += wanted ? 1 : 0;
+    }
+    QVERIFY(agreed > pairs / 50);
   }
 
   void aStringIsQuoted() {
