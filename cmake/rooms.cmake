@@ -195,6 +195,6 @@ function(mapwright_test name)
     set_tests_properties(${name} PROPERTIES COST 100)
   endif()
   set_tests_properties(${name} PROPERTIES
-    TIMEOUT 600
+    TIMEOUT 1200
     ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/leaks.supp:print_suppressions=0;QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;TZ=UTC;XDG_CONFIG_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/config;XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/cache;XDG_DATA_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/data${MAPWRIGHT_TSAN_ENVIRONMENT}")
 endfunction()
