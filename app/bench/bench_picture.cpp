@@ -293,6 +293,7 @@ class Desk {
 Desk& desk(int edge) {
   static std::unique_ptr<Desk> made;
   static int made_edge = 0;
+  if (!made) qAddPostRoutine([] { made.reset(); });  // a window ends before its application
   if (!made || std::exchange(made_edge, edge) != edge) made = std::make_unique<Desk>(edge);
   return *made;
 }
