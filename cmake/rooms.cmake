@@ -2,7 +2,7 @@
 # other. Each room's headers are reached through an include root of its own that holds a link to each of them, and
 # USES is linked PRIVATE, so neither an #include over a wall nor one through a neighbour compiles. tests/house proves
 # it.
-#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE g|1|2|3] SOURCES ... USES ...
+#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE g|1|3] SOURCES ... USES ...
 #                  [LIBRARIES ...])
 # OPTIMIZE: g where nothing is said (it compiles a fifth faster than 1 and suits what waits for people or robots); 1
 # or 3 where a benchmark tells the difference (documents; cells, pixels, large messages).
