@@ -12,6 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "overlays/overlay_edits.h"
+#include "overlays/overlay_merge.h"
 #include "overlays/overlay_paste.h"
 #include "render/tile_renderer.h"
 #include "ui/overlays/overlay_tool.h"
@@ -195,6 +196,17 @@ void overlaysNudge(benchmark::State& state) {
   }
 }
 BENCHMARK(overlaysNudge)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+/// Everything was moved, and the robot holds one feature more than before: what a save works out.
+void overlaysMerge(benchmark::State& state) {
+  const OverlayDocument base = *OverlayDocument::read(overlaysText(int(state.range(0))));
+  OverlayDocument mine = base, theirs = base;
+  for (std::size_t i = 0; i < base.features().size(); ++i)
+    mine.replace(i, overlays::movedBy(base.features()[i], {0.05, 0}));
+  if (state.range(1) != 0) theirs.add(overlays::movedBy(base.features().front(), {1, 1}));
+  for (auto _ : state) benchmark::DoNotOptimize(overlays::merge(base, mine, theirs));
+}
+BENCHMARK(overlaysMerge)->Args({10'000, 0})->Args({10'000, 1})->Unit(benchmark::kMillisecond);
 
 void overlaysSelect(benchmark::State& state) {
   OverlayDesk desk;

@@ -88,7 +88,9 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     if (!now) return end(robot::fail(std::move(now.error())));
     if (!order_.only_uid.empty() && !now->map_uid.empty() && order_.only_uid != now->map_uid)
       return end(robot::fail(otherMap(order_.map, now->map_name)));
-    auto theirs = OverlayDocument::read(now->text);
+    using Read = tl::expected<OverlayDocument, Fault>;
+    auto theirs = order_.base && order_.base->text() == now->text ? Read(*order_.base)
+                                                                  : OverlayDocument::read(now->text);
     if (!theirs && order_.base) return end(robot::fail(unreadable(order_.map, theirs.error())));
     const OverlayDocument held = theirs ? std::move(*theirs) : OverlayDocument();
     outcome_.before = outcome_.held = std::move(*now);

@@ -426,6 +426,19 @@ std::optional<JsonValue> JsonValue::member(std::string_view name) const {
   return found;
 }
 
+std::vector<std::pair<std::string, JsonValue>> membersOf(const JsonValue& object) {
+  std::vector<std::pair<std::string, JsonValue>> members;
+  const std::vector<JsonValue> children = object.children();
+  members.reserve(children.size());
+  for (const JsonValue& child : children) members.emplace_back(child.key(), child);
+  std::ranges::sort(members, [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second.begin() > b.second.begin();
+  });
+  const auto name = [](const auto& member) -> const std::string& { return member.first; };
+  members.erase(std::ranges::unique(members, {}, name).begin(), members.end());
+  return members;
+}
+
 std::string canonical(const JsonValue& value) {
   switch (value.kind()) {
     case JsonKind::Number:
@@ -438,10 +451,9 @@ std::string canonical(const JsonValue& value) {
       return list + ']';
     }
     case JsonKind::Object: {
-      std::map<std::string, JsonValue> members;  // the last one of each name
-      for (const JsonValue& member : value.children()) members.insert_or_assign(member.key(), member);
       std::string object = "{";
-      for (const auto& [name, member] : members) object += quoted(name) + ':' + canonical(member) + ',';
+      for (const auto& [name, member] : membersOf(value))
+        object += quoted(name) + ':' + canonical(member) + ',';
       return object + '}';
     }
     default:
@@ -452,9 +464,26 @@ std::string canonical(const JsonValue& value) {
 bool sameValue(const JsonValue& a, const JsonValue& b) {
   if (a.text() == b.text()) return true;
   if (a.kind() != b.kind()) return false;
-  if (a.kind() != JsonKind::Array) return canonical(a) == canonical(b);
-  const std::vector<JsonValue> left = a.children(), right = b.children();
-  return std::equal(left.begin(), left.end(), right.begin(), right.end(), sameValue);
+  switch (a.kind()) {
+    case JsonKind::Number:
+      // Doubles that are the same may still be whole numbers that differ.
+      return a.number() == b.number() && canonicalNumber(a) == canonicalNumber(b);
+    case JsonKind::String:
+      return a.string() == b.string();
+    case JsonKind::Array: {
+      const std::vector<JsonValue> left = a.children(), right = b.children();
+      return std::equal(left.begin(), left.end(), right.begin(), right.end(), sameValue);
+    }
+    case JsonKind::Object: {
+      const auto left = membersOf(a), right = membersOf(b);
+      return std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                        [](const auto& one, const auto& other) {
+                          return one.first == other.first && sameValue(one.second, other.second);
+                        });
+    }
+    default:
+      return true;
+  }
 }
 
 std::string quoted(std::string_view plain) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -95,6 +96,9 @@ class JsonText {
   std::string text_;
   std::vector<Node> nodes_;  // each before those within it
 };
+
+/// By name; of those with the same name the last one.
+std::vector<std::pair<std::string, JsonValue>> membersOf(const JsonValue& object);
 
 /// The value without its notation: 1.50, 1.5 and 15e-1 are the same, and so are "A" and "\u0041". Members are
 /// in the order of their names, as their order means nothing; whole numbers keep every digit.

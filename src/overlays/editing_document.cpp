@@ -163,21 +163,24 @@ std::set<FeatureKey> EditingDocument::keysOf(std::size_t step) const {
 }
 
 std::vector<FeatureEdit> EditingDocument::editsTo(const OverlayDocument& version) {
-  const OverlayDocument here = mine();
+  return editsTo(version, changesBetween(mine(), version));
+}
+
+std::vector<FeatureEdit> EditingDocument::editsTo(const OverlayDocument& version,
+                                                  const std::vector<OverlayChange>& changes) {
   const std::vector<FeatureKey> keys = keysOfMine();
-  const auto matches = matchesOf(here, version);
-  std::vector<bool> known(version.features().size());
   std::vector<FeatureEdit> edits;
-  const auto edit = [&edits](FeatureKey key, const Feature& before, const Feature& after) {
-    if (const auto changes = changesOf(before, after); !changes.empty())
-      edits.push_back({key, before, withChanges(before, changes, after)});
-  };
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    if (matches[i]) {
-      known[*matches[i]] = true;
-      edit(keys[i], here.features()[i], version.features()[*matches[i]]);
+  std::vector<Feature> added;
+  for (const OverlayChange& change : changes) {
+    if (change.collection) continue;
+    const Version before = change.from ? now_[keys[*change.from]] : std::nullopt;
+    if (change.kind == ChangeKind::Add) {
+      added.push_back(version.features()[*change.to]);
+    } else if (change.kind == ChangeKind::Remove) {
+      edits.push_back({keys[*change.from], before, std::nullopt});
     } else {
-      edits.push_back({keys[i], now_[keys[i]], std::nullopt});
+      edits.push_back(
+          {keys[*change.from], before, withChanges(*before, change.parts, version.features()[*change.to])});
     }
   }
   // What is only deleted here is that feature again.
@@ -186,15 +189,15 @@ std::vector<FeatureEdit> EditingDocument::editsTo(const OverlayDocument& version
     if (base_of_[key] && !now_[key] && !base_of_[key]->id().empty())
       deleted.emplace(base_of_[key]->id(), key);
   }
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i]) continue;
-    const auto again = deleted.extract(version.features()[i].id());
-    edits.push_back({again.empty() ? newKey() : again.mapped(), std::nullopt, version.features()[i]});
+  for (const Feature& feature : added) {
+    const auto again = deleted.extract(feature.id());
+    edits.push_back({again.empty() ? newKey() : again.mapped(), std::nullopt, feature});
   }
   Feature collection = collectionOf(version);
   if (boxIsTheirs() && boxFits(base_) && boxFits(version))
     collection = withPart(collection, kBoxOfAll, partOf(*collection_now_, kBoxOfAll));
-  edit(kCollectionKey, *collection_now_, collection);
+  if (const auto parts = changesOf(*collection_now_, collection); !parts.empty())
+    edits.push_back({kCollectionKey, collection_now_, withChanges(*collection_now_, parts, collection)});
   return edits;
 }
 

@@ -62,6 +62,8 @@ class EditingDocument {
   /// The edits that make `version` of it. What is the same keeps its bytes; what is only deleted here, and
   /// has the same id, is that feature again.
   std::vector<FeatureEdit> editsTo(const OverlayDocument& version);
+  /// `changes`: those from mine() to it, where they are known.
+  std::vector<FeatureEdit> editsTo(const OverlayDocument& version, const std::vector<OverlayChange>& changes);
   bool undo();
   bool redo();
   std::size_t stepsDone() const { return done_; }

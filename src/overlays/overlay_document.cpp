@@ -1,5 +1,6 @@
 #include "overlays/overlay_document.h"
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -129,6 +130,13 @@ std::string OverlayDocument::text() const {
     text += features_[i].text();
   }
   return text + tail_;
+}
+
+bool OverlayDocument::isSameText(const OverlayDocument& other) const {
+  return head_ == other.head_ && tail_ == other.tail_ && before_ == other.before_ &&
+         std::ranges::equal(features_, other.features_, [](const Feature& a, const Feature& b) {
+           return &a.text() == &b.text() || a.text() == b.text();
+         });
 }
 
 std::optional<JsonText> OverlayDocument::collection() const {

@@ -1,7 +1,8 @@
 #include "overlays/overlay_merge.h"
 
 #include <algorithm>
-#include <map>
+#include <string_view>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -16,41 +17,45 @@ constexpr std::string_view kFeaturesMember = "features";
 const Part kAllProperties{Part::Of::Member, std::string(kProperties)};
 const Part kType{Part::Of::Member, "type"};
 
-using Parts = std::map<Part, JsonValue>;
+/// In their order, each once.
+using Parts = std::vector<std::pair<Part, JsonValue>>;
 
 Parts partsOf(const JsonValue& object) {
   Parts parts;
   if (!object.isObject()) {
-    parts.insert_or_assign(Part{}, object);
+    parts.emplace_back(Part{}, object);
     return parts;
   }
-  for (const JsonValue& member : object.children()) {
-    const std::string name = member.key();
+  std::optional<JsonValue> properties;
+  for (auto& [name, member] : json::membersOf(object)) {
     if (name == kProperties && member.isObject()) {
-      for (const JsonValue& property : member.children())
-        parts.insert_or_assign(Part{Part::Of::Property, property.key()}, property);
+      properties = member;
     } else if (name != kFeaturesMember) {
-      parts.insert_or_assign(Part{Part::Of::Member, name}, member);
+      parts.emplace_back(Part{Part::Of::Member, std::move(name)}, member);
     }
   }
+  if (!properties) return parts;
+  for (auto& [name, value] : json::membersOf(*properties))
+    parts.emplace_back(Part{Part::Of::Property, std::move(name)}, value);
   return parts;
-}
-
-std::optional<std::string> written(const Parts& parts, const Part& part) {
-  const auto found = parts.find(part);
-  return found == parts.end() ? std::nullopt : std::optional(std::string(found->second.text()));
 }
 
 std::vector<PartChange> partChanges(const JsonValue& before, const JsonValue& after) {
   const Parts old = partsOf(before), now = partsOf(after);
+  const auto part = [](const auto& each) -> const Part& { return each.first; };
+  const auto valueOf = [&](const Parts& parts, const Part& wanted) {
+    const auto found = std::ranges::lower_bound(parts, wanted, {}, part);
+    return found == parts.end() || found->first != wanted ? nullptr : &found->second;
+  };
   std::vector<PartChange> changes;
-  for (const auto& [part, value] : old) {
-    const auto found = now.find(part);
-    if (found == now.end() || !sameValue(value, found->second))
-      changes.push_back({part, std::string(value.text()), written(now, part)});
+  for (const auto& [which, value] : old) {
+    const JsonValue* const other = valueOf(now, which);
+    if (other && sameValue(value, *other)) continue;
+    changes.push_back({which, std::string(value.text()), std::nullopt});
+    if (other) changes.back().after = other->text();
   }
-  for (const auto& [part, value] : now) {
-    if (!old.contains(part)) changes.push_back({part, std::nullopt, std::string(value.text())});
+  for (const auto& [which, value] : now) {
+    if (!valueOf(old, which)) changes.push_back({which, std::nullopt, std::string(value.text())});
   }
   return changes;
 }
@@ -90,7 +95,7 @@ class Matching {
 
   /// `guess`: also by name and type, and by place.
   Matches match(bool guess) {
-    pair([](const Feature& feature) { return feature.text(); }, false, false);
+    pair([](const Feature& feature) { return std::string_view(feature.text()); }, false, false);
     pair([](const Feature& feature) { return feature.id(); }, false, false);
     pair(contentOf, true, false);
     if (!guess) return std::move(to_b_);
@@ -112,33 +117,43 @@ class Matching {
   }
 
  private:
-  using Key = std::function<std::string(const Feature&)>;
-
   /// Pairs those with the same key in their order. `without_id`: only where one of them has no id; `unique`:
   /// only where no other has that key. An empty key is none.
-  void pair(const Key& key_of, bool without_id, bool unique) {
-    std::unordered_map<std::string, std::vector<std::size_t>> left, right;
-    for (std::size_t i = 0; i < a_.size(); ++i) {
-      if (!to_b_[i]) left[key_of(a_[i])].push_back(i);
-    }
-    for (std::size_t i = 0; i < b_.size(); ++i) {
-      if (!taken_[i]) right[key_of(b_[i])].push_back(i);
-    }
-    for (const auto& [key, ours] : left) {
-      const auto found = right.find(key);
-      if (key.empty() || found == right.end()) continue;
-      const std::vector<std::size_t>& others = found->second;
-      if (unique && (ours.size() > 1 || others.size() > 1)) continue;
+  template <typename KeyOf>
+  void pair(const KeyOf& key_of, bool without_id, bool unique) {
+    using Key = std::invoke_result_t<KeyOf, const Feature&>;
+    struct Others {
+      std::vector<std::size_t> of_b;
       std::size_t next = 0;  // all before it are taken
-      for (const std::size_t mine : ours) {
-        while (next < others.size() && taken_[others[next]]) ++next;
-        const bool has_id = without_id && !a_[mine].id().empty();
-        for (std::size_t i = next; i < others.size(); ++i) {
-          if (taken_[others[i]] || (has_id && !b_[others[i]].id().empty())) continue;
-          to_b_[mine] = others[i];
-          taken_[others[i]] = true;
-          break;
-        }
+      std::size_t of_a = 0;
+    };
+    std::vector<std::pair<std::size_t, Key>> ours;
+    for (std::size_t i = 0; i < a_.size(); ++i) {
+      if (to_b_[i]) continue;
+      if (Key key = key_of(a_[i]); !key.empty()) ours.emplace_back(i, std::move(key));
+    }
+    if (ours.empty()) return;
+    std::unordered_map<Key, Others> by_key;
+    for (std::size_t i = 0; i < b_.size(); ++i) {
+      if (!taken_[i]) by_key[key_of(b_[i])].of_b.push_back(i);
+    }
+    if (unique) {
+      for (const auto& [mine, key] : ours) {
+        if (const auto found = by_key.find(key); found != by_key.end()) ++found->second.of_a;
+      }
+    }
+    for (const auto& [mine, key] : ours) {
+      const auto found = by_key.find(key);
+      if (found == by_key.end()) continue;
+      auto& [others, next, of_a] = found->second;
+      if (unique && (of_a > 1 || others.size() > 1)) continue;
+      while (next < others.size() && taken_[others[next]]) ++next;
+      const bool has_id = without_id && !a_[mine].id().empty();
+      for (std::size_t i = next; i < others.size(); ++i) {
+        if (taken_[others[i]] || (has_id && !b_[others[i]].id().empty())) continue;
+        to_b_[mine] = others[i];
+        taken_[others[i]] = true;
+        break;
       }
     }
   }
@@ -250,7 +265,11 @@ Feature withChanges(Feature onto, const std::vector<PartChange>& changes, const 
 bool areSame(const Version& a, const Version& b) {
   if (!a || !b) return !a && !b;
   if (&a->text() == &b->text()) return true;  // the very same: features are shared
-  return changesOf(*a, *b).empty();
+  if (a->text() == b->text()) return true;
+  const Parts one = partsOf(a->root()), other = partsOf(b->root());
+  return std::ranges::equal(one, other, [](const auto& part, const auto& same) {
+    return part.first == same.first && sameValue(part.second, same.second);
+  });
 }
 
 bool onlyNewId(const std::vector<PartChange>& changes) {
@@ -300,10 +319,13 @@ Version merged(const Version& base, const Version& mine, const Version& theirs,
 }
 
 OverlayMerge merge(const OverlayDocument& base, const OverlayDocument& mine, const OverlayDocument& theirs) {
+  OverlayMerge merge{{}, changesBetween(base, mine), {}, {}};
   EditingDocument document(base);
-  document.change(document.editsTo(mine));
-  document.rebase(theirs);
-  OverlayMerge merge{{}, changesBetween(base, mine), changesBetween(base, theirs), {}};
+  document.change(document.editsTo(mine, merge.mine));
+  if (!theirs.isSameText(base)) {
+    merge.theirs = changesBetween(base, theirs);
+    document.rebase(theirs);
+  }
   const auto conflicts = document.conflicts();
   for (const auto& conflict : conflicts) {
     const auto& [key, part] = conflict;

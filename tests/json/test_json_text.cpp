@@ -183,6 +183,7 @@ class JsonTextTest : public QObject {
     QVERIFY(!same("1e400", "1e500"));
     QVERIFY(same("NaN", "NaN"));
     QVERIFY(!same(R"({"a":1})", R"({"a":1,"b":null})"));
+    QVERIFY(same(R"({"a":1,"a":2})", R"({"a":2})") && !same(R"({"a":1,"a":2})", R"({"a":1})"));
   }
 
   void valuesAreTheSameExactlyIfTheirCanonicalTextsAre() {

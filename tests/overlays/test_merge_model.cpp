@@ -445,6 +445,18 @@ class MergeModelTest : public QObject {
     }
   }
 
+  void whatTheyLeftAloneIsMergedAsIfItWereNew() {
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+      Author author(seed);
+      const Author::Document first = author.document();
+      const OverlayDocument base = Author::read(first), mine = Author::read(author.edited(first));
+      const OverlayMerge merged = merge(base, mine, Author::read(first));
+      const std::string about = shown(base, mine, base) + "\nmerged " + merged.document.text();
+      QVERIFY2(merged.document.text() == windowMerge(base, mine, base).document.text(), about.c_str());
+      QVERIFY2(merged.theirs.empty() && merged.conflicts.empty(), about.c_str());
+    }
+  }
+
   void whatWasMergedInTwoWays_data() {
     QTest::addColumn<QString>("base");
     QTest::addColumn<QString>("mine");

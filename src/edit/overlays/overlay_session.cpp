@@ -69,7 +69,9 @@ void OverlaySession::merge(const robot::OverlayText& text, bool sent) {
   const QPointer<OverlaySession> here(this);
   held_ = text;
   Q_EMIT seen(text, sent);
-  auto held = OverlayDocument::read(text.text);
+  using Read = tl::expected<OverlayDocument, Fault>;
+  const auto& base = editing_.document().base();
+  auto held = editing_.isOpen() && base.text() == text.text ? Read(base) : OverlayDocument::read(text.text);
   unreadable_ = held ? Fault() : held.error();
   failure_.reset();
   if (!held) {
@@ -91,7 +93,7 @@ void OverlaySession::merge(const robot::OverlayText& text, bool sent) {
 
 void OverlaySession::rebase(const OverlayDocument& held) {
   const auto& document = editing_.document();
-  if (held.text() == document.base().text()) return;
+  if (held.isSameText(document.base())) return;
   const std::size_t before = document.changedThere().size();
   // What was sent is there, or what was not known to be saved turns out to be.
   if (document.unsaved() && jobs::otherwiseHeld(document.mine(), held).empty()) editing_.markSaved();
