@@ -1,25 +1,51 @@
 #include "ui/overlays/overlay_review.h"
 
-#include <QListWidget>
+#include <QAbstractListModel>
+#include <QListView>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "overlays/overlay_merge.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
 
 namespace mapwright::ui {
 
-OverlayReview::OverlayReview(const QString& map, const QString& robot, const QStringList& changes,
-                             const QString& note, QWidget* parent)
+using overlays::OverlayDocument;
+
+/// Words them when they are seen: there may be ten thousand.
+class OverlayReview::Changes : public QAbstractListModel {
+ public:
+  Changes(const OverlayDocument& before, const OverlayDocument& after, QObject* parent)
+      : QAbstractListModel(parent),
+        before_(before),
+        after_(after),
+        changes_(overlays::changesBetween(before, after)) {}
+
+  int rowCount(const QModelIndex& parent = {}) const override {
+    return parent.isValid() ? 0 : int(changes_.size());
+  }
+  QVariant data(const QModelIndex& index, int role) const override {
+    return role == Qt::DisplayRole ? text(std::size_t(index.row())) : QVariant();
+  }
+  QString text(std::size_t row) const { return changeText(changes_[row], before_, after_); }
+
+ private:
+  OverlayDocument before_, after_;
+  std::vector<overlays::OverlayChange> changes_;
+};
+
+OverlayReview::OverlayReview(const QString& map, const QString& robot, const OverlayDocument& before,
+                             const OverlayDocument& after, const QString& note, QWidget* parent)
     : QDialog(parent),
-      list_(new QListWidget(this)),
+      changes_(new Changes(before, after, this)),
       save_(new QPushButton(robot.isEmpty() ? tr("Save the file") : tr("Save to the robot"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName(QStringLiteral("overlayReview"));
   setWindowTitle(tr("Save overlays"));
   setAttribute(Qt::WA_DeleteOnClose);
-  const QString what = overlayChangesText(changes.size());
+  const QString what = overlayChangesText(changes_->rowCount());
   auto* const about = wrappedLabel(
       robot.isEmpty()
           ? tr("%1 to the overlays of %2. Everything else in the file stays as it is.").arg(what, map)
@@ -27,12 +53,14 @@ OverlayReview::OverlayReview(const QString& map, const QString& robot, const QSt
                "stays as it is.")
                 .arg(what, map, robot),
       this);
-  list_->setAccessibleName(tr("Changes that are saved"));
-  list_->setSelectionMode(QAbstractItemView::NoSelection);
-  list_->setWordWrap(true);
-  list_->addItems(changes);
-  for (int row = 0; row < list_->count(); ++row) list_->item(row)->setToolTip({});
-  auto* const column = columnOf({about, {list_, 1}}, 8);
+  auto* const list = new QListView(this);
+  list->setAccessibleName(tr("Changes that are saved"));
+  list->setSelectionMode(QAbstractItemView::NoSelection);
+  list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list->setWordWrap(true);
+  list->setLayoutMode(QListView::Batched);
+  list->setModel(changes_);
+  auto* const column = columnOf({about, {list, 1}}, 8);
   if (!note.isEmpty()) column->addWidget(wrappedLabel(note, this));
   column->addLayout(rowOf({LayoutItem::rest(), cancel_, save_}, 8));
   setLayout(column);
@@ -44,8 +72,17 @@ OverlayReview::OverlayReview(const QString& map, const QString& robot, const QSt
 
 QStringList OverlayReview::changesShown() const {
   QStringList texts;
-  for (int row = 0; row < list_->count(); ++row) texts << list_->item(row)->text();
+  for (int row = 0; row < changes_->rowCount(); ++row) texts << changes_->text(std::size_t(row));
   return texts;
+}
+
+bool OverlayReview::shows(const OverlayDocument& before, const OverlayDocument& after) const {
+  const Changes now(before, after, nullptr);
+  if (now.rowCount() != changes_->rowCount()) return false;
+  for (std::size_t row = 0; row < std::size_t(now.rowCount()); ++row) {
+    if (now.text(row) != changes_->text(row)) return false;
+  }
+  return true;
 }
 
 }  // namespace mapwright::ui

@@ -4,8 +4,8 @@
 #include <QDialog>
 #include <QStringList>
 
-class QLabel;
-class QListWidget;
+#include "overlays/overlay_document.h"
+
 class QPushButton;
 
 namespace mapwright::ui {
@@ -13,16 +13,20 @@ namespace mapwright::ui {
 class OverlayReview : public QDialog {
   Q_OBJECT
  public:
-  /// `robot`: empty for a file. `changes`: as sentences. `note`: what else is to be known; may be empty.
-  OverlayReview(const QString& map, const QString& robot, const QStringList& changes, const QString& note,
-                QWidget* parent = nullptr);
+  /// `robot`: empty for a file. `note`: what else is to be known; may be empty.
+  OverlayReview(const QString& map, const QString& robot, const overlays::OverlayDocument& before,
+                const overlays::OverlayDocument& after, const QString& note, QWidget* parent = nullptr);
 
   QPushButton* saveButton() const { return save_; }
   QPushButton* cancelButton() const { return cancel_; }
+  /// As sentences.
   QStringList changesShown() const;
+  /// Whether saving would still change just what is shown.
+  bool shows(const overlays::OverlayDocument& before, const overlays::OverlayDocument& after) const;
 
  private:
-  QListWidget* list_;
+  class Changes;
+  Changes* changes_;
   QPushButton *save_, *cancel_;
 };
 

@@ -336,20 +336,13 @@ bool OverlaysController::isStillHeld() const {
          info->overlays_version == held.version && info->uid == held.map_uid;
 }
 
-QStringList OverlaysController::changesToSave() const {
-  const OverlayDocument &before = editing_.document().base(), after = editing_.document().mine();
-  QStringList changes;
-  for (const overlays::OverlayChange& change : overlays::changesBetween(before, after))
-    changes << changeText(change, before, after);
-  return changes;
-}
-
 void OverlaysController::showReview() {
   QStringList notes;
   if (dock_->hasUnsavedFlaws()) notes << tr("Some of these have flaws: see the panel Overlays.");
   if (const QString why = notChecked(); !why.isEmpty()) notes << why;
   review_ = new OverlayReview(mapName(), session_->robot().isLocal() ? QString() : context_.current.called(),
-                              changesToSave(), words::paragraph(notes), &context_.window);
+                              editing_.document().base(), editing_.document().mine(), words::paragraph(notes),
+                              &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
     review_ = nullptr;
     if (opened != opened_) return;
@@ -366,7 +359,8 @@ void OverlaysController::showReview() {
 
 void OverlaysController::reviewAnew() {
   const bool conflicts = !editing_.document().conflicts().empty();
-  if (!conflicts && unsaved() && changesToSave() == review_->changesShown()) return;
+  const auto& document = editing_.document();
+  if (!conflicts && unsaved() && review_->shows(document.base(), document.mine())) return;
   review_->disconnect(this);  // what waits for saving still does
   std::exchange(review_, nullptr)->reject();
   if (conflicts) return askToDecide();

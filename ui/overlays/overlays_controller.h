@@ -104,7 +104,6 @@ class OverlaysController : public EditorController {
   void askToDecide();
   /// The review that is open shows what would be sent now, or is closed.
   void reviewAnew();
-  QStringList changesToSave() const;
   void onChange();
   void check();
   /// The whole map that the overlays lie on, read to its end; null: there is none yet.
