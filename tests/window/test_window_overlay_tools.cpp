@@ -1,5 +1,7 @@
 // The tools for overlays besides drawing: what the robot sees, snapping, the clipboard, circles, arranging,
 // several at once, parts of several, defaults of the map. By hand in the window, on the simulated robot.
+#include <random>
+
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -13,6 +15,8 @@
 
 #include "map/live_state.h"
 #include "overlays/overlay_arrange.h"
+#include "overlays/overlay_edits.h"
+#include "overlays/overlay_merge.h"
 #include "overlays/overlay_types.h"
 #include "overlays_desk.h"
 #include "test_program.h"
@@ -353,6 +357,46 @@ class TestWindowOverlayTools : public QObject {
     desk.drag(desk.px(2, 2), desk.px(2, 1.5));  // the middle of a side
     QCOMPARE(desk.points(1).size(), std::size_t(5));
     QVERIFY(desk.dock().form()->typePicker()->isEnabled());
+  }
+
+  void aPartOfTheMapIsPaintedAsTheWholeIs() {
+    Desk desk;
+    overlays::OverlayDocument many = *overlays::OverlayDocument::read(kOverlays);
+    for (int i = 0; i < 300; ++i) {
+      const overlays::Feature one =
+          overlays::movedBy(many.features()[std::size_t(i % 3)], {i % 20 * 0.9 - 9, i / 20 * 0.9 - 7});
+      many.add(overlays::withPart(one, {overlays::Part::Of::Member, "id"}, "\"n" + std::to_string(i) + '"'));
+    }
+    QVERIFY(desk.hand(many.text()));
+    desk.start();
+    QTest::keyClick(desk.window->view(), Qt::Key_E);
+    QTRY_COMPARE(desk.document().size(), std::size_t(303));
+    QCoreApplication::processEvents();
+    desk.look();
+    desk.editing().select([&] {
+      std::set<FeatureKey> keys;
+      for (FeatureKey key = 0; key < 303; ++key) keys.insert(key);
+      return keys;
+    }());
+    // Away from half pixels, where pictures of marks may be rounded to either side.
+    desk.editing().changeSelected(QStringLiteral("move"), [](const overlays::Feature& feature) {
+      return overlays::movedBy(feature, {0.306, 0.104});
+    });
+    QWidget* const map = desk.map();
+    QTRY_VERIFY(desk.window->mapScene()->settled());
+    std::mt19937 random(5);
+    const auto below = [&](int most) { return int(random() % unsigned(most)); };
+    for (int i = 0; i < 20; ++i) {
+      const QRect part(below(map->width() - 200), below(map->height() - 150), 20 + below(180),
+                       20 + below(130));
+      const QImage now = map->grab(part).toImage(), wanted = map->grab().toImage().copy(part);
+      int other = 0;  // besides lines of text and the like, which Qt smooths otherwise at an edge
+      for (int y = 0; y < part.height(); ++y) {
+        for (int x = 0; x < part.width(); ++x)
+          other += qAbs(qGray(now.pixel(x, y)) - qGray(wanted.pixel(x, y))) > 40 ? 1 : 0;
+      }
+      QVERIFY2(other <= 5, qPrintable(QDebug::toString(part)));
+    }
   }
 
   void defaultsOfTheMapAreEditedAndSaved() {

@@ -4,6 +4,7 @@
 
 #include <QGraphicsItem>
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include "overlays/overlay_shapes.h"
 #include "ui/overlays/overlay_text.h"
@@ -17,6 +18,7 @@ using Kind = OverlayMark::Kind;
 
 constexpr double kAbove = 1e6;  // all layers and names
 constexpr double kPlacePx = 9, kStatePx = 5.5;
+constexpr double kReachPx = 20;  // no mark of a state is larger
 constexpr std::size_t kMostStates = 2'000;
 constexpr QPointF kStateAside(11, -11);  // not on the thing itself
 
@@ -126,6 +128,7 @@ class OverlayMarks::Item : public QGraphicsItem {
   explicit Item(const scene::MapScene* scene) : scene_(scene) {
     setZValue(kAbove);
     setAcceptedMouseButtons(Qt::NoButton);
+    setFlag(ItemUsesExtendedStyleOption);  // it wants to know what is exposed
     hide();
   }
   void setMarks(std::vector<OverlayMark> marks) {
@@ -145,12 +148,13 @@ class OverlayMarks::Item : public QGraphicsItem {
   QRectF boundingRect() const override {
     return {0, 0, double(scene_->view().width_px), double(scene_->view().height_px)};
   }
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    const QRectF wanted = option->exposedRect.adjusted(-kReachPx, -kReachPx, kReachPx, kReachPx);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(Qt::NoBrush);
     for (const OverlayMark& mark : marks_) {
       if (mark.kind == Kind::State) {
-        paintState(*painter, mark);
+        paintState(*painter, mark, wanted);
         continue;
       }
       const QPen pen = penOf(mark.kind, scene_->theme());
@@ -160,14 +164,15 @@ class OverlayMarks::Item : public QGraphicsItem {
   }
 
  private:
-  void paintState(QPainter& painter, const OverlayMark& mark) const {
+  void paintState(QPainter& painter, const OverlayMark& mark, const QRectF& wanted) const {
     using scene::WaypointMark;
+    const QPointF at = scene::toPoint(scene_->view().pixelFromWorld(mark.points.front())) + kStateAside;
+    if (!wanted.contains(at)) return;
     const scene::MapTheme& theme = scene_->theme();
     const QColor fill = mark.state == WaypointMark::Conflict || mark.state == WaypointMark::Deleted
                             ? theme.bad
                         : mark.state == WaypointMark::Theirs ? theme.accent
                                                              : theme.warn;
-    const QPointF at = scene::toPoint(scene_->view().pixelFromWorld(mark.points.front())) + kStateAside;
     scene::paintWaypointMark(painter, at, kStatePx, mark.state, fill, theme.text_halo);
     painter.setBrush(Qt::NoBrush);
   }

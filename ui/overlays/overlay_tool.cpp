@@ -144,7 +144,7 @@ void OverlayTool::paint(QPainter& painter) {
 
 /// What is drawn of one on the screen: its points, and its lines.
 void OverlayTool::eachLine(FeatureKey key, const std::function<void(const QPointF&)>& point,
-                           const std::function<void(const QPolygonF&)>& line) const {
+                           const std::function<void(const QPolygonF&)>& line, const QRectF& exposed) const {
   const auto* const parts = on_map_->partsOf(key);
   if (!parts) return;
   for (const map::OverlayFeature& part : *parts) {
@@ -156,7 +156,7 @@ void OverlayTool::eachLine(FeatureKey key, const std::function<void(const QPoint
       }
       std::vector<Vector2d> points = ring;
       if (part.shape == map::OverlayShape::Polygon) points.push_back(points.front());
-      for (const QPolygonF& piece : scene::visibleLines(scene_->view(), points, 8)) line(piece);
+      for (const QPolygonF& piece : scene::visibleLines(scene_->view(), points, 8, exposed)) line(piece);
     }
   }
 }
@@ -174,7 +174,8 @@ void OverlayTool::paintSelected(QPainter& painter) const {
     };
     eachLine(
         key, [&](const QPointF& at) { stroke([&] { painter.drawEllipse(at, 11, 11); }); },
-        [&](const QPolygonF& line) { stroke([&] { painter.drawPolyline(line); }); });
+        [&](const QPolygonF& line) { stroke([&] { painter.drawPolyline(line); }); },
+        QRectF(painter.viewport()));
   }
 }
 
@@ -194,14 +195,16 @@ void OverlayTool::paintMany(QPainter& painter, const std::set<FeatureKey>& keys)
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(accent, 2));
-  const QRectF seen = QRectF(painter.viewport()).adjusted(-kMarkPx, -kMarkPx, kMarkPx, kMarkPx);
+  const QRectF viewport(painter.viewport());
+  const QRectF exposed = painter.hasClipping() ? painter.clipBoundingRect() & viewport : viewport;
+  const QRectF seen = exposed.adjusted(-kMarkPx, -kMarkPx, kMarkPx, kMarkPx);
   for (const FeatureKey key : keys) {
     eachLine(
         key,
         [&](const QPointF& at) {
           if (seen.contains(at)) painter.drawPixmap(at - QPointF(kMarkPx / 2, kMarkPx / 2), mark);
         },
-        [&](const QPolygonF& line) { painter.drawPolyline(line); });
+        [&](const QPolygonF& line) { painter.drawPolyline(line); }, exposed);
   }
   painter.restore();
 }

@@ -71,7 +71,7 @@ class OverlayTool : public MapTool {
   bool editKey(const MapKeyPress& press);
   QPointF px(const Eigen::Vector2d& world_m) const;
   void eachLine(FeatureKey key, const std::function<void(const QPointF&)>& point,
-                const std::function<void(const QPolygonF&)>& line) const;
+                const std::function<void(const QPolygonF&)>& line, const QRectF& exposed) const;
   void paintSelected(QPainter& painter) const;
   void paintMany(QPainter& painter, const std::set<FeatureKey>& keys) const;
   /// Where they moved what I moved, too.

@@ -140,6 +140,17 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
   }
 }
 
+QRectF pixelBounds(const geometry::ViewTransform& view, std::span<const Eigen::Vector2d> world) {
+  if (world.empty()) return {};
+  QPointF least = toPoint(view.pixelFromWorld(world.front())), most = least;
+  for (const Eigen::Vector2d& point : world.subspan(1)) {
+    const QPointF pixel = toPoint(view.pixelFromWorld(point));
+    least = {std::min(least.x(), pixel.x()), std::min(least.y(), pixel.y())};
+    most = {std::max(most.x(), pixel.x()), std::max(most.y(), pixel.y())};
+  }
+  return {least, most};
+}
+
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
                                     std::span<const Eigen::Vector2d> world, double margin_px) {
   return visibleLines(view, world, margin_px, QRectF(0, 0, view.width_px, view.height_px));

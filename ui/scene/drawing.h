@@ -31,6 +31,8 @@ QColor readable(const QColor& color, const MapTheme& theme);
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through = false);
 QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world);
+/// The box of toPolygon(); neither width nor height is less than 0, unless a point is no number.
+QRectF pixelBounds(const geometry::ViewTransform& view, std::span<const Eigen::Vector2d> world);
 /// For hatching that moves with the map.
 QPointF hatchOrigin(const geometry::ViewTransform& view);
 bool inView(const geometry::ViewTransform& view, const QRectF& rect, double margin_px = 20);

@@ -117,11 +117,13 @@ class OverlaysLayer : public LayerItem {
   }
 
   void paintRegion(QPainter& painter, const map::OverlayFeature& feature, const QRectF& wanted) const {
+    if (std::ranges::none_of(
+            feature.parts, [&](const auto& ring) { return meets(pixelBounds(context_.view, ring), wanted); }))
+      return;
     QPainterPath path;
     for (const auto& ring : feature.parts) path.addPolygon(toPolygon(context_.view, ring));
     path.closeSubpath();
-    const QRectF bounds = path.boundingRect();
-    if (!inView(context_.view, bounds) || !meets(bounds, wanted)) return;
+    if (!inView(context_.view, path.boundingRect())) return;
     path.setFillRule(Qt::OddEvenFill);
     const QColor color = overlayColor(context_.theme, feature);
     painter.setPen(QPen(color, 1.5));
@@ -139,7 +141,7 @@ class OverlaysLayer : public LayerItem {
     const QColor color = overlayColor(context_.theme, feature);
     for (const auto& part : feature.parts) {
       // All of it or nothing: the dashes of a piece would begin elsewhere.
-      if (!meets(toPolygon(context_.view, part).boundingRect(), wanted)) continue;
+      if (!meets(pixelBounds(context_.view, part), wanted)) continue;
       for (const QPolygonF& line : visibleLines(context_.view, part, 6)) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(

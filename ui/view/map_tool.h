@@ -61,7 +61,8 @@ class MapTool : public QObject {
   virtual bool keyPressed(const MapKeyPress& /*press*/) { return false; }
   /// True if the tool takes this key before the menus do.
   virtual bool claims(const MapKeyPress& /*press*/) const { return false; }
-  /// Paints over the map, in viewport pixels; triggered by changed().
+  /// Paints over the map, in viewport pixels; triggered by changed(). Only what lies in the clip of the
+  /// painter is seen.
   virtual void paint(QPainter& /*painter*/) {}
   /// Where names of the map would lie below what it paints and can be dragged; viewport pixels.
   virtual std::vector<QRectF> covered() const { return {}; }

@@ -283,6 +283,7 @@ void MapView::drawForeground(QPainter* painter, const QRectF& rect) {
   QGraphicsView::drawForeground(painter, rect);
   // The scene's coordinates are viewport pixels.
   painter->save();
+  painter->setClipRect(rect, Qt::IntersectClip);
   tool_->paint(*painter);
   painter->restore();
   if (!keyboard_came_) return;
