@@ -431,11 +431,11 @@ std::vector<std::pair<std::string, JsonValue>> membersOf(const JsonValue& object
   const std::vector<JsonValue> children = object.children();
   members.reserve(children.size());
   for (const JsonValue& child : children) members.emplace_back(child.key(), child);
-  std::ranges::sort(members, [](const auto& a, const auto& b) {
+  std::sort(members.begin(), members.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : a.second.begin() > b.second.begin();
   });
-  const auto name = [](const auto& member) -> const std::string& { return member.first; };
-  members.erase(std::ranges::unique(members, {}, name).begin(), members.end());
+  const auto isSameName = [](const auto& a, const auto& b) { return a.first == b.first; };
+  members.erase(std::unique(members.begin(), members.end(), isSameName), members.end());
   return members;
 }
 
