@@ -72,7 +72,11 @@ QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::Grid
   return json;
 }
 
-QString problemLine(const map::Problem& problem) {
+QString problemLine(map::Problem problem) {
+  // A command that is over does not request it again.
+  Consequence& then = problem.reason.then;
+  if (then == Consequence::AskedAgain || then == Consequence::AskedAgainAtTheNext) then = Consequence::None;
+  if (then == Consequence::ShownWithoutItUntilTheNext) then = Consequence::ShownWithoutIt;
   return words::about(sentences::nameOf(problem.subject), sentences::sentenceOf(problem));
 }
 

@@ -25,7 +25,7 @@ QJsonObject entryJson(const map::CatalogueEntry& row);
 QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::GridReference& grid);
 
 /// "Map 12: It breaks off."
-QString problemLine(const map::Problem& problem);
+QString problemLine(map::Problem problem);
 /// Current problems, one line each, most severe first: a terminal shows only the first one.
 QStringList problemLines(const session::ProblemLog& log);
 /// Something could not be loaded because the secret is wrong or missing.

@@ -405,6 +405,9 @@ class CommandLineTest : public QObject {
       QVERIFY2(outcome.err.count(QLatin1Char('\n')) == (code ? 1 : 0), qPrintable(outcome.err));
       QCOMPARE(report[QLatin1String("complete")].toBool(), code == 0);
       QCOMPARE(report[QLatin1String("warnings")].toArray().isEmpty(), code == 0);
+      // It is over: nothing will be requested again.
+      const QByteArray all = outcome.err.toUtf8() + QJsonDocument(report).toJson();
+      QVERIFY2(!all.contains("again"), all.constData());
     }
     robot.terminate();
     QVERIFY(robot.waitForFinished(30'000));
