@@ -40,6 +40,7 @@ Plan seenOnly(Plan plan, double reach_m) {
     if (plan.cells[i] == Ground::Free) open.data[i] = 255, any = true;
   }
   if (!any) return plan;
+  cv::setNumThreads(1);  // the program's own pool keeps the processors busy
   const int reach = std::max(1, int(std::ceil(reach_m / plan.resolution_m)));
   cv::dilate(open, open, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(2 * reach + 1, 2 * reach + 1)));
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {

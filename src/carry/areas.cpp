@@ -15,6 +15,7 @@ struct Areas::Labels {
 };
 
 Areas::Areas(const align::Plan& plan, double radius_m) {
+  cv::setNumThreads(1);  // the program's own pool keeps the processors busy
   auto labels = std::make_unique<Labels>(Labels{plan.corner_m, plan.resolution_m, {}, 0});
   cv::Mat_<std::uint8_t> open(plan.height, plan.width, std::uint8_t(255));
   cv::Mat_<std::uint8_t> free(plan.height, plan.width, std::uint8_t(0));

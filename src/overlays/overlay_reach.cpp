@@ -28,6 +28,8 @@ constexpr double kAsideM = 0.5;
 class WayMap {
  public:
   explicit WayMap(const placing::PlacedMap& map) : map_(map) {
+    // Of every thread that OpenCV's own threads have helped it keeps something for ever.
+    cv::setNumThreads(1);
     const grids::GridPyramid& cells = *map.cells;
     while (std::int64_t(cells.levelWidth(level_)) * cells.levelHeight(level_) > kMostCells &&
            level_ + 1 < cells.levels())

@@ -1,5 +1,7 @@
 // What is wrong with overlays is found, and what robots write themselves is not.
 #include <cmath>
+#include <malloc.h>
+#include <thread>
 
 #include <QTest>
 
@@ -196,6 +198,21 @@ class OverlayCheckTest : public QObject {
     QCOMPARE(rulesIn(all + region("12", "7", "11", "3.5"), options), std::string());
     options.map = mapOf({".... .....", ".... .....", ".... ....."}, 20);
     QCOMPARE(rulesIn(all, options), std::string("unreachable"));
+  }
+
+  /// Each check has a thread of its own, and OpenCV keeps something for each that its own threads have
+  /// helped.
+  void nothingIsKeptOfACheckWhenItsThreadEnds() {
+    const auto document = *overlays::OverlayDocument::read(
+        R"({"type":"FeatureCollection","features":[)" + dock("d") +
+        point("9", "[1,3]", R"(,"dockingPointId":"d")") + "," + point("25", "[18,3]") + "]}");
+    const placing::PlacedMap map = mapOf({"..........", "..........", ".........."}, 20);
+    const auto checkOften = [&] {
+      for (int i = 0; i < 100; ++i) std::thread([&] { (void)overlays::wayTo(2, document, map, 0.3); }).join();
+      return mallinfo2().uordblks;
+    };
+    const std::size_t before = checkOften(), after = checkOften();
+    QVERIFY2(after < before + 20'000, qPrintable(QString::number(after - before)));
   }
 
   void besideTheWayIsNotBehindAWall_data() {
