@@ -26,10 +26,13 @@ QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue
 }  // namespace
 
 QJsonObject submapsJson(const session::SubmapCounts& counts) {
-  return {
-      {QStringLiteral("listed"), counts.listed},   {QStringLiteral("drawn"), counts.shown},
-      {QStringLiteral("missing"), counts.missing}, {QStringLiteral("failed"), counts.failed + counts.pending},
-      {QStringLiteral("corrupt"), counts.corrupt}, {QStringLiteral("without_slice"), counts.without_slice}};
+  return {{QStringLiteral("listed"), counts.listed},
+          {QStringLiteral("drawn"), counts.shown},
+          {QStringLiteral("missing"), counts.missing},
+          {QStringLiteral("failed"), counts.failed},
+          {QStringLiteral("pending"), counts.pending},
+          {QStringLiteral("corrupt"), counts.corrupt},
+          {QStringLiteral("without_slice"), counts.without_slice}};
 }
 
 QJsonObject trafficJson(const session::SubmapCounts& counts) {

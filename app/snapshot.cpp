@@ -202,6 +202,7 @@ QString summaryOf(const SnapshotRun& run) {
                           QString::number(submaps[QLatin1String("listed")].toInt()));
   for (const auto& [kind, counted] :
        {std::pair{"missing", Text::tr(", %1 missing")}, std::pair{"failed", Text::tr(", %1 failed")},
+        std::pair{"pending", Text::tr(", %1 not there in time")},
         std::pair{"corrupt", Text::tr(", %1 corrupt")},
         std::pair{"without_slice", Text::tr(", %1 without this slice")}}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);

@@ -4598,6 +4598,10 @@
         <source>Excludes</source>
         <translation>不可同时使用</translation>
     </message>
+    <message>
+        <source>, %1 not there in time</source>
+        <translation>，%1 个未及时到达</translation>
+    </message>
 </context>
 <context>
     <name>ComparisonText</name>

@@ -413,6 +413,25 @@ class CommandLineTest : public QObject {
     QVERIFY(robot.waitForFinished(30'000));
   }
 
+  void whatIsNotThereInTimeHasNotFailed() {
+    QProcess robot;
+    robot.setProcessEnvironment(program_.environment());
+    robot.start(QStringLiteral(MAPWRIGHT_PROGRAM),
+                QStringLiteral("simulate --paused --start-at 30 --latency-ms 60000").split(QLatin1Char(' ')));
+    QVERIFY(robot.waitForReadyRead(30'000));
+    const QJsonObject ready = QJsonDocument::fromJson(robot.readLine()).object();
+    const Outcome outcome =
+        run(QStringLiteral("snapshot -o late.png --timeout 2 --json").split(QLatin1Char(' ')),
+            {{QStringLiteral("MAPWRIGHT_ROBOT"), ready[QLatin1String("axbot")].toString()}});
+    QCOMPARE(outcome.code, 1);
+    const QJsonObject submaps =
+        QJsonDocument::fromJson(outcome.out.toUtf8()).object()[QLatin1String("submaps")].toObject();
+    QCOMPARE(submaps[QLatin1String("failed")].toInt(-1), 0);
+    QVERIFY2(submaps[QLatin1String("pending")].toInt() > 0, qPrintable(outcome.out));
+    robot.terminate();
+    QVERIFY(robot.waitForFinished(30'000));
+  }
+
   void aFileThatIsCalledLikeAMapIsNotThatMap() {
     QFile decoy(at("2"));
     QVERIFY(decoy.open(QIODevice::WriteOnly) && decoy.write("no map") > 0);
