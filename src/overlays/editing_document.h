@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -116,7 +117,8 @@ class EditingDocument {
     Feature was, now;
     bool same = false;
   };
-  mutable std::map<FeatureKey, Compared> compared_;  // of those that were edited, as long as they are these
+  mutable std::unordered_map<FeatureKey, Compared>
+      compared_;  // of those that were edited, as long as they are these
   std::set<FeatureKey> changed_there_;
   std::set<Conflict> met_;
   std::map<FeatureKey, Version> before_conflict_;  // the base, before they changed it

@@ -266,6 +266,9 @@ bool areSame(const Version& a, const Version& b) {
   if (!a || !b) return !a && !b;
   if (&a->text() == &b->text()) return true;  // the very same: features are shared
   if (a->text() == b->text()) return true;
+  // What was only moved is found out soon.
+  const auto was = a->root().member("geometry"), now = b->root().member("geometry");
+  if (was && now && !sameValue(*was, *now)) return false;
   const Parts one = partsOf(a->root()), other = partsOf(b->root());
   return std::ranges::equal(one, other, [](const auto& part, const auto& same) {
     return part.first == same.first && sameValue(part.second, same.second);

@@ -30,7 +30,8 @@ void OverlaysModel::setFlawed(std::set<FeatureKey> keys) {
 
 OverlaysModel::Row OverlaysModel::rowOf(FeatureKey key, const Row* before) const {
   const Feature& feature = *shown(key);
-  Row row{key, feature, {}, {}, stateText(key), false, bits(key)};
+  const State state = editing_->document().state(key);
+  Row row{key, feature, {}, {}, state, false, bits(key, state)};
   // Features never change: it is the same text or another feature.
   if (before && &before->feature->text() == &feature.text()) {
     row.name = before->name;
@@ -97,16 +98,15 @@ const Feature* OverlaysModel::shown(FeatureKey key) const {
   return now ? &*now : was ? &*was : nullptr;
 }
 
-int OverlaysModel::bits(FeatureKey key) const {
-  const auto& document = editing_->document();
-  return (document.isUnsaved(key) ? kOverlayUnsaved : 0) |
-         (document.changedThere().contains(key) ? kOverlayChangedThere : 0) |
+int OverlaysModel::bits(FeatureKey key, State state) const {
+  return (state != State::Same ? kOverlayUnsaved : 0) |
+         (editing_->document().changedThere().contains(key) ? kOverlayChangedThere : 0) |
          (conflicting_.contains(key) ? kOverlayInConflict : 0) | (flawed_.contains(key) ? kOverlayFlawed : 0);
 }
 
-QString OverlaysModel::stateText(FeatureKey key) const {
-  if (conflicting_.contains(key)) return tr("conflict");
-  switch (editing_->document().state(key)) {
+QString OverlaysModel::stateText(const Row& row) const {
+  if (row.bits & kOverlayInConflict) return tr("conflict");
+  switch (row.state) {
     case State::New:
       return tr("new, unsaved");
     case State::Changed:
@@ -116,7 +116,7 @@ QString OverlaysModel::stateText(FeatureKey key) const {
     case State::Same:
       break;
   }
-  if (!editing_->document().changedThere().contains(key)) return tr("saved");
+  if (!(row.bits & kOverlayChangedThere)) return tr("saved");
   return editing_->inFile() ? tr("changed in the file") : tr("changed on the robot");
 }
 
@@ -128,7 +128,7 @@ QVariant OverlaysModel::data(const QModelIndex& index, int role) const {
   const int column = index.column();
   switch (role) {
     case Qt::DisplayRole:
-      return column == NameColumn ? row.name : column == TypeColumn ? row.kind : row.state;
+      return column == NameColumn ? row.name : column == TypeColumn ? row.kind : stateText(row);
     case kBitsRole:
       return row.bits;
     case kNamelessRole:
@@ -157,7 +157,7 @@ QVariant OverlaysModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole: {
       QStringList lines{row.name, row.kind};
       if (!feature->id().empty()) lines << tr("Id %1").arg(words::plainName(feature->id()));
-      lines << row.state;
+      lines << stateText(row);
       return plainToolTip(lines.join(QLatin1Char('\n')));
     }
     default:

@@ -42,21 +42,23 @@ class OverlaysModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  void onEditingChanged();
-  int bits(FeatureKey key) const;
-  QString stateText(FeatureKey key) const;
-  /// As it is, or as the robot holds it when it was deleted here.
-  const Feature* shown(FeatureKey key) const;
-
-  edit::OverlayEditing* editing_;
   /// What is shown of one, made once for as long as it stays the same.
   struct Row {
     FeatureKey key = 0;
     std::optional<Feature> feature;
-    QString name, kind, state;
+    QString name, kind;
+    overlays::EditingDocument::State state = overlays::EditingDocument::State::Same;
     bool nameless = false;
     int bits = 0;
   };
+
+  void onEditingChanged();
+  int bits(FeatureKey key, overlays::EditingDocument::State state) const;
+  QString stateText(const Row& row) const;
+  /// As it is, or as the robot holds it when it was deleted here.
+  const Feature* shown(FeatureKey key) const;
+
+  edit::OverlayEditing* editing_;
   Row rowOf(FeatureKey key, const Row* before) const;
 
   std::vector<Row> rows_;
