@@ -444,12 +444,12 @@ void ChunkedSource::countChunks() {
     for (const ChannelShare& share : chunk.shares) {
       about_.messages += share.count;
       about_.messages_of[share.channel] += share.count;
-      channels_in_chunks_.insert(share.channel);
     }
     if (chunk.first_ns > chunk.last_ns) continue;
     about_.start_ns = std::min(about_.start_ns.value_or(chunk.first_ns), chunk.first_ns);
     about_.end_ns = std::max(about_.end_ns.value_or(chunk.last_ns), chunk.last_ns);
   }
+  for (const auto& [channel, count] : about_.messages_of) channels_in_chunks_.insert(channel);
 }
 
 Message ChunkedSource::messageAt(const UnpackedChunk& chunk, const ChunkEntry& entry) const {

@@ -144,6 +144,8 @@ void readField(ByteReader& in, Field& field) {
     field = in.text();
   } else {
     ByteReader pairs(in.piece());
+    if constexpr (requires { field.reserve(1); })
+      field.reserve(pairs.left() / (sizeof(field.begin()->first) + sizeof(field.begin()->second)));
     while (pairs.sound() && pairs.left() > 0) {
       std::remove_const_t<typename Field::value_type::first_type> key{};
       typename Field::value_type::second_type value{};
