@@ -1,12 +1,13 @@
 #include "sentences/language.h"
 
 #include <algorithm>
+#include <mutex>
+#include <shared_mutex>
 
 #include <QCoreApplication>
 #include <QHash>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QReadWriteLock>
 #include <QStringList>
 #include <QTranslator>
 
@@ -29,7 +30,7 @@ thread_local int english_only = 0;
 
 /// Which short texts were spoken. Any thread.
 struct Spoken {
-  QReadWriteLock lock;
+  std::shared_mutex mutex;
   QHash<QString, QStringList> sources;
 };
 Spoken& spokenTexts() {
@@ -53,11 +54,11 @@ class ChosenTranslator : public QTranslator {
   static void remember(const QString& translated, const char* text) {
     Spoken& spoken = spokenTexts();
     {
-      const QReadLocker reading(&spoken.lock);
+      const std::shared_lock reading(spoken.mutex);
       const auto known = spoken.sources.constFind(translated);
       if (known != spoken.sources.cend() && known->contains(QString::fromUtf8(text))) return;
     }
-    const QWriteLocker writing(&spoken.lock);
+    const std::unique_lock writing(spoken.mutex);
     QStringList& sources = spoken.sources[translated];
     if (const QString source = QString::fromUtf8(text); !sources.contains(source)) sources << source;
   }
@@ -127,7 +128,7 @@ QString spokenLanguage() { return chosenLanguage(); }
 
 QStringList sourcesOf(const QString& translated) {
   Spoken& spoken = spokenTexts();
-  const QReadLocker reading(&spoken.lock);
+  const std::shared_lock reading(spoken.mutex);
   return spoken.sources.value(translated);
 }
 
