@@ -257,4 +257,22 @@ void overlaysPaste(benchmark::State& state) {
 }
 BENCHMARK(overlaysPaste)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
+/// All of them once more, selected in the list between those that are there: what Ctrl+V makes.
+void overlaysPasteBetween(benchmark::State& state) {
+  const std::string text = overlaysText(int(state.range(0)));
+  const OverlayDocument held = *OverlayDocument::read(text);
+  OverlayDesk desk;
+  desk.dock.show();
+  for (auto _ : state) {
+    state.PauseTiming();
+    desk.editing.close();
+    desk.editing.open(held);
+    desk.editing.select(desk.some(std::size_t(state.range(0))));
+    QApplication::processEvents();
+    state.ResumeTiming();
+    desk.editing.paste(*overlays::pastedFeatures(text), Eigen::Vector2d(5, 5));
+  }
+}
+BENCHMARK(overlaysPasteBetween)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
 }  // namespace

@@ -20,7 +20,9 @@ void selectRows(QTableView& table, std::vector<int> rows, int column) {
     selection.append(QItemSelectionRange(model.index(rows[i], 0), model.index(rows[end - 1], last_column)));
     i = end;
   }
-  table.selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  // Not in one step, which compares each old range with each new one: thousands of both take seconds.
+  table.selectionModel()->clearSelection();
+  table.selectionModel()->select(selection, QItemSelectionModel::Select);
   if (rows.empty()) return;
   const QModelIndex last = model.index(rows.back(), column);
   table.selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
