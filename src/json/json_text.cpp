@@ -150,7 +150,7 @@ class JsonReading {
       return wrong(bad, faultText("json", "the text is not UTF-8"));
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
     skipSpace();
-    if (!value(0, 0, 0)) return false;
+    if (!value(0)) return false;
     skipSpace();
     return at_ == text_.size() || wrong(at_, faultText("json", "something follows the end of the JSON"));
   }
@@ -182,13 +182,14 @@ class JsonReading {
     return true;
   }
 
-  bool value(int depth, std::size_t key_begin, std::size_t key_end) {
+  bool value(int depth, std::size_t key_begin = 0, std::size_t key_end = 0) {
     if (depth > JsonText::kDeepest)
       return wrong(at_, faultText("json", "objects and lists are nested too deeply"));
     const std::size_t node = out_.nodes_.size();
     const std::size_t begin = at_;
-    out_.nodes_.push_back(
-        {std::uint32_t(begin), 0, std::uint32_t(key_begin), std::uint32_t(key_end), 0, JsonKind::Null});
+    const bool escaped = text_.substr(key_begin, key_end - key_begin).find('\\') != std::string_view::npos;
+    out_.nodes_.push_back({std::uint32_t(begin), 0, std::uint32_t(key_begin), std::uint32_t(key_end), 0,
+                           JsonKind::Null, escaped});
     JsonKind kind = JsonKind::Null;
     if (!valueOf(depth, kind)) return false;
     JsonText::Node& made = out_.nodes_[node];
@@ -251,7 +252,7 @@ class JsonReading {
     if (next(']')) return ++at_, true;
     for (;;) {
       skipSpace();
-      if (!value(depth + 1, 0, 0)) return false;
+      if (!value(depth + 1)) return false;
       skipSpace();
       if (next(']')) return ++at_, true;
       if (!next(',')) return wrong(at_, {fault::NoSign, {std::string(", ]")}});
@@ -417,11 +418,7 @@ std::optional<JsonValue> JsonValue::member(std::string_view name) const {
     const JsonText::Node& node = text_->nodes_[child];
     const auto written =
         std::string_view(text_->text_).substr(node.key_begin + 1, node.key_end - node.key_begin - 2);
-    // With escapes it is longer.
-    const bool same = written.size() > name.size()
-                          ? written.find('\\') != std::string_view::npos && decoded(written) == name
-                          : written == name;
-    if (same) found = JsonValue(text_, child);
+    if (node.key_escaped ? decoded(written) == name : written == name) found = JsonValue(text_, child);
   }
   return found;
 }

@@ -91,6 +91,7 @@ class JsonText {
     std::uint32_t key_begin = 0, key_end = 0;  // equal: it has no name
     std::uint32_t next = 0;                    // the node after all that lies within this one
     JsonKind kind = JsonKind::Null;
+    bool key_escaped = false;
   };
 
   std::string text_;
