@@ -40,7 +40,8 @@ OverlayActions::OverlayActions(WindowContext& context, edit::OverlayEditing* edi
   context_.actions.addToMenu({MenuGroup::Waypoints, 34}, menu_->menuAction());
   dock->setMenus(teaching_->menu(), arranging_->menu(), snap_, snap_menu_, defaults_);
   connect(snapping_, &OverlaySnapping::changed, this, &OverlayActions::refresh);
-  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayActions::refresh);
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::editableChanged})
+    connect(editing_, signal, this, &OverlayActions::refresh);
   connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     if (defaults_dialog_) defaults_dialog_->close();
   });

@@ -52,7 +52,8 @@ OverlayArranging::OverlayArranging(WindowContext& context, edit::OverlayEditing*
       [](const std::vector<WorldRect>& boxes) { return overlays::shiftsToSpread(boxes, Spread::X); });
   add("spreadOverlaysY", tr("Equal gaps of overlays in y"), tr("The outermost two stay"), 3,
       [](const std::vector<WorldRect>& boxes) { return overlays::shiftsToSpread(boxes, Spread::Y); });
-  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayArranging::refresh);
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::editableChanged})
+    connect(editing_, signal, this, &OverlayArranging::refresh);
   connect(editing_, &edit::OverlayEditing::selectionChanged, this, &OverlayArranging::refresh);
   refresh();
 }

@@ -124,6 +124,7 @@ OverlayForm::OverlayForm(edit::OverlayEditing* editing, QWidget* parent)
   setLayout(column);
   for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayForm::refresh);
+  connect(editing_, &edit::OverlayEditing::editableChanged, this, &OverlayForm::refreshUsable);
   // Dragging changes no property but the heading of one.
   connect(editing_, &edit::OverlayEditing::previewChanged, this, [this] {
     if (shown_) refresh();
@@ -177,15 +178,8 @@ void OverlayForm::refresh() {
   const Feature* const now = feature();
   refreshing_ = true;
   const bool any = !editing_->selected().empty();
-  const bool usable = any && editing_->editable();
-  name_->setEnabled(now && usable);
   name_->setPlaceholderText(any && !now ? tr("several values") : QString());
-  new_key_->setEnabled(usable);
-  yaw_->setEnabled(usable);
   properties_->setEnabled(any);
-  properties_->setEditTriggers(usable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
-                                      : QAbstractItemView::NoEditTriggers);
-  add_->setEnabled(usable && !new_key_->text().trimmed().isEmpty());
   const auto count = qsizetype(editing_->selected().size());
   about_->setText(count == 0 ? tr("Nothing is selected.")
                   : count > 1
@@ -207,8 +201,20 @@ void OverlayForm::refresh() {
     yaw_->setValue(yaw ? std::remainder(*yaw, 360.0) : kNoYaw);
     showProperties(*now);
   }
-  remove_->setEnabled(usable && !properties_->selectedItems().isEmpty());
+  refreshUsable();
   refreshing_ = false;
+}
+
+void OverlayForm::refreshUsable() {
+  const bool usable = !editing_->selected().empty() && editing_->editable();
+  name_->setEnabled(feature() && usable);
+  type_->setEnabled(type_->count() > 0 && usable);
+  new_key_->setEnabled(usable);
+  yaw_->setEnabled(usable);
+  properties_->setEditTriggers(usable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                                      : QAbstractItemView::NoEditTriggers);
+  add_->setEnabled(usable && !new_key_->text().trimmed().isEmpty());
+  remove_->setEnabled(usable && !properties_->selectedItems().isEmpty());
 }
 
 void OverlayForm::showType() {
@@ -220,7 +226,6 @@ void OverlayForm::showType() {
     types.insert(editing_->find(key)->type());
   }
   const bool one = shapes.size() == 1 && isPlain(*shapes.begin());
-  type_->setEnabled(one && editing_->editable());
   if (!one) return type_->clear();
   showTypes(*type_, *shapes.begin(), *types.begin());
   if (types.size() > 1) type_->setCurrentIndex(-1);
@@ -359,8 +364,8 @@ OverlayPoints::OverlayPoints(edit::OverlayEditing* editing, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->setTabKeyNavigation(false);
   setLayout(columnOf({about_, {table_, 1}}, 4, QMargins(8, 6, 8, 6)));
-  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::previewChanged,
-                            &edit::OverlayEditing::selectionChanged})
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::editableChanged,
+                            &edit::OverlayEditing::previewChanged, &edit::OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayPoints::refresh);
   connect(table_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
     if (!refreshing_) onCellChanged(row, changed);

@@ -40,6 +40,7 @@ class OverlayForm : public QWidget {
 
  private:
   void refresh();
+  void refreshUsable();
   void showType();
   void showProperties(const Feature& feature);
   /// Those that all of several selected ones have.

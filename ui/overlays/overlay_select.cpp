@@ -47,11 +47,13 @@ OverlaySelect::OverlaySelect(edit::OverlayEditing* editing, const scene::MapScen
     : DragTool(scene, parent), editing_(editing), on_map_(on_map), snapping_(snapping) {
   for (const auto signal : {&edit::OverlayEditing::previewChanged, &edit::OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlaySelect::lookAnew);
-  connect(editing_, &edit::OverlayEditing::changed, this, [this] {
-    // It may have other points, and other properties, than what the hand holds.
-    if (drag() == Drag::Vertex) dragCancelled();
-    lookAnew();
-  });
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::editableChanged}) {
+    connect(editing_, signal, this, [this] {
+      // It may have other points, and other properties, than what the hand holds.
+      if (drag() == Drag::Vertex) dragCancelled();
+      lookAnew();
+    });
+  }
   connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     dragCancelled();
     lookAnew();

@@ -65,7 +65,8 @@ OverlayTeaching::OverlayTeaching(WindowContext& context, edit::OverlayEditing* e
                            Reach::Everywhere, tr("Add landmarks and barcodes that the robot has collected"));
   connect(marks_, &QAction::triggered, this, &OverlayTeaching::collect);
   menu_->addAction(marks_);
-  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayTeaching::refresh);
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::editableChanged})
+    connect(editing_, signal, this, &OverlayTeaching::refresh);
   connect(editing_, &edit::OverlayEditing::opened, this, [this] {
     call_.cancel();
     if (dialog_) dialog_->close();

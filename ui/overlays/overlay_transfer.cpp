@@ -44,7 +44,8 @@ OverlayTransfer::OverlayTransfer(WindowContext& context, edit::OverlayEditing* e
   connect(cut_, &QAction::triggered, this, &OverlayTransfer::cut);
   connect(paste_, &QAction::triggered, this, [this] { paste(std::nullopt); });
   connect(paste_here_, &QAction::triggered, this, [this] { paste(context_.scene.view().center_m); });
-  connect(editing_, &edit::OverlayEditing::changed, this, &OverlayTransfer::refresh);
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::editableChanged})
+    connect(editing_, signal, this, &OverlayTransfer::refresh);
   connect(editing_, &edit::OverlayEditing::selectionChanged, this, &OverlayTransfer::refresh);
   refresh();
 }

@@ -141,6 +141,7 @@ OverlaysDock::OverlaysDock(edit::OverlayEditing* editing, OverlayTool* tool, QWi
     showSelection();
     refresh();
   });
+  connect(editing_, &edit::OverlayEditing::editableChanged, this, &OverlaysDock::refresh);
   connect(tool_, &OverlayTool::modeChanged, this, &OverlaysDock::refreshMode);
   setFlaws({});
   refreshMode();

@@ -75,7 +75,7 @@ void OverlayEditing::close() {
 void OverlayEditing::setLocked(bool locked) {
   if (std::exchange(locked_, locked) == locked) return;
   if (locked_) setPreview({});
-  Q_EMIT changed();
+  Q_EMIT editableChanged();
 }
 
 void OverlayEditing::select(std::set<FeatureKey> keys) {

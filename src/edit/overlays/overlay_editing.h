@@ -96,7 +96,8 @@ class OverlayEditing : public QObject {
 
  Q_SIGNALS:
   void opened();   // or closed
-  void changed();  // features, their states, conflicts, whether it can be edited
+  void changed();  // features, their states, conflicts
+  void editableChanged();
   void selectionChanged();
   void previewChanged();
 
