@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include <QCoreApplication>
@@ -44,6 +45,48 @@ map::Failure unreadable(const map::MapKey& key, Fault why) {
       .cause = {faultText("jobs", "The overlays that the robot holds cannot be read"), {}, {std::move(why)}}};
 }
 
+/// What the robot held, and what is to be sent.
+struct Looked {
+  overlays::OverlayMerge merge;
+  std::vector<OverlayChange> changes;
+  std::size_t held = 0;  // features
+  std::string text;      // of what is to be sent
+  Fault unreadable;      // why nothing can be merged with what is held
+};
+
+Looked lookedAt(const std::optional<OverlayDocument>& base, const OverlayDocument& mine,
+                const std::string& text) {
+  using Read = tl::expected<OverlayDocument, Fault>;
+  const auto theirs = base && base->text() == text ? Read(*base) : OverlayDocument::read(text);
+  Looked looked;
+  if (!theirs && base) {
+    looked.unreadable = theirs.error();
+    return looked;
+  }
+  const OverlayDocument held = theirs ? *theirs : OverlayDocument();
+  looked.held = held.features().size();
+  if (base) {
+    looked.merge = overlays::merge(*base, mine, held);
+  } else {
+    looked.merge.document = mine;
+    looked.merge.mine = overlays::changesBetween(held, mine);
+  }
+  const bool as_before = base && held.isSameText(*base);
+  looked.changes = as_before ? looked.merge.mine : overlays::changesBetween(held, looked.merge.document);
+  looked.text = looked.merge.document.text();
+  return looked;
+}
+
+struct Compared {
+  std::vector<OverlayChange> differs;
+  Fault unreadable;
+};
+
+Compared comparedWith(const std::string& text, const OverlayDocument& sent) {
+  const auto held = OverlayDocument::read(text);
+  return held ? Compared{otherwiseHeld(sent, *held), {}} : Compared{{}, held.error()};
+}
+
 /// The steps of one order, one request after the other.
 class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
  public:
@@ -53,7 +96,10 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
   robot::Call start() {
     // Weak, because what is in progress holds this object.
     state_->cancel = [weak = weak_from_this()] {
-      if (const auto self = weak.lock()) self->call_.cancel();
+      const auto self = weak.lock();
+      if (!self) return;
+      self->cancelled_ = true;
+      self->call_.cancel();
     };
     const robot::Call call(state_);
     if (order_.held) {
@@ -80,6 +126,17 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     });
   }
 
+  /// `work`: its result is what `then` gets, on this thread. It reads nothing that changes meanwhile.
+  template <typename Work, typename Then>
+  void compute(Work work, Then then) {
+    const auto both = [self = shared_from_this(), work = std::move(work), then] {
+      return [self, then, result = std::make_shared<std::invoke_result_t<Work>>(work())] {
+        then(*self, std::move(*result));
+      };
+    };
+    order_.elsewhere ? order_.elsewhere(both) : both()();
+  }
+
   void reportSeen(const OverlayText& held, bool saved) {
     if (order_.seen) order_.seen(held, saved);
   }
@@ -88,31 +145,33 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     if (!now) return end(robot::fail(std::move(now.error())));
     if (!order_.only_uid.empty() && !now->map_uid.empty() && order_.only_uid != now->map_uid)
       return end(robot::fail(otherMap(order_.map, now->map_name)));
-    using Read = tl::expected<OverlayDocument, Fault>;
-    auto theirs = order_.base && order_.base->text() == now->text ? Read(*order_.base)
-                                                                  : OverlayDocument::read(now->text);
-    if (!theirs && order_.base) return end(robot::fail(unreadable(order_.map, theirs.error())));
-    const OverlayDocument held = theirs ? std::move(*theirs) : OverlayDocument();
     outcome_.before = outcome_.held = std::move(*now);
-    if (order_.base) {
-      outcome_.merge = overlays::merge(*order_.base, order_.mine, held);
-    } else {
-      outcome_.merge.document = order_.mine;
-      outcome_.merge.mine = overlays::changesBetween(held, order_.mine);
-    }
+    compute([base = order_.base, mine = order_.mine,
+             text = outcome_.before.text] { return lookedAt(base, mine, text); },
+            [](OverlayChanging& self, Looked looked) { self.onLooked(std::move(looked)); });
+  }
+
+  void onLooked(Looked looked) {
+    if (cancelled_)
+      return end(robot::fail(map::Failure{.kind = map::FailureKind::Cancelled,
+                                          .subject = map::subjectOf(order_.map),
+                                          .asked_for = map::AskedFor::Change}));
+    if (looked.unreadable.any()) return end(robot::fail(unreadable(order_.map, looked.unreadable)));
+    outcome_.merge = std::move(looked.merge);
+    outcome_.changes = std::move(looked.changes);
     outcome_.deletes = std::size_t(std::count_if(
         outcome_.merge.mine.begin(), outcome_.merge.mine.end(),
         [](const OverlayChange& change) { return change.kind == overlays::ChangeKind::Remove; }));
-    outcome_.keeps = held.features().size() - std::min(outcome_.deletes, held.features().size());
+    outcome_.keeps = looked.held - std::min(outcome_.deletes, looked.held);
     outcome_.held_back = order_.send && !order_.may_empty && outcome_.deletes > outcome_.keeps;
     if (outcome_.held_back) return end(std::move(outcome_));
-    const std::string text = outcome_.merge.document.text();
-    if (!order_.send || !outcome_.merge.conflicts.empty() || text == outcome_.before.text)
+    if (!order_.send || !outcome_.merge.conflicts.empty() || looked.text == outcome_.before.text)
       return end(std::move(outcome_));
     outcome_.sent = true;
-    call_ = store_.write(order_.map, text, [self = shared_from_this()](Outcome<std::monostate> answer) {
-      self->lookAgain(answer ? std::nullopt : std::optional(std::move(answer.error())));
-    });
+    call_ =
+        store_.write(order_.map, looked.text, [self = shared_from_this()](Outcome<std::monostate> answer) {
+          self->lookAgain(answer ? std::nullopt : std::optional(std::move(answer.error())));
+        });
   }
 
   /// No answer is believed, neither a yes nor a no, and one may be lost: what the robot holds counts.
@@ -151,14 +210,17 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
       now.error().applied = map::Applied::Maybe;
       return end(robot::fail(std::move(now.error())));
     }
-    reportSeen(*now, true);
-    const auto held = OverlayDocument::read(now->text);
     outcome_.held = std::move(*now);
-    if (!held) {
-      outcome_.unreadable = held.error();
-      return end(std::move(outcome_));
-    }
-    outcome_.differs = otherwiseHeld(outcome_.merge.document, *held);
+    compute([sent = outcome_.merge.document, text = outcome_.held.text] { return comparedWith(text, sent); },
+            [](OverlayChanging& self, Compared compared) {
+              self.reportSeen(self.outcome_.held, true);
+              self.outcome_.differs = std::move(compared.differs);
+              self.outcome_.unreadable = std::move(compared.unreadable);
+              self.outcome_.unreadable.any() ? self.end(std::move(self.outcome_)) : self.judgeVersions();
+            });
+  }
+
+  void judgeVersions() {
     using Between = OverlayOutcome::Between;
     const bool told = outcome_.held.version && outcome_.before.version;
     const int steps = told ? *outcome_.held.version - *outcome_.before.version : 0;
@@ -175,6 +237,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
   std::shared_ptr<robot::Call::State> state_ = std::make_shared<robot::Call::State>();
   robot::Call call_;
   OverlayOutcome outcome_;
+  bool cancelled_ = false;
 };
 
 }  // namespace

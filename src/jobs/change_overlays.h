@@ -25,13 +25,18 @@ struct OverlayOrder {
   std::string only_uid = {};  // not empty: nothing is sent to a map with another uid
   /// What the robot holds, if that is known: it is not asked before, and the reply may come at once.
   std::optional<robot::OverlayText> held = {};
+  /// Does the work on another thread, then on this one what it returns, as long as the store lives; null: all
+  /// at once.
+  using Elsewhere = std::function<void(std::function<std::function<void()>()> work)>;
+  Elsewhere elsewhere = {};
   /// Gets what the robot turns out to hold, each time that it was asked (`saved`: with the change); may be
   /// empty.
   std::function<void(const robot::OverlayText&, bool saved)> seen = {};
 };
 
 struct OverlayOutcome {
-  overlays::OverlayMerge merge;  // with what the robot held
+  overlays::OverlayMerge merge;                  // with what the robot held
+  std::vector<overlays::OverlayChange> changes;  // of that, to what was merged
   /// Nothing was sent: there are conflicts, nothing to change, or it was not wanted.
   bool sent = false;
   /// How many features of the robot go and stay; `held_back`: that is why nothing was sent.

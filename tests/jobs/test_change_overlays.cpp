@@ -1,5 +1,6 @@
 // Changing the overlays of a map on a robot: what is sent, and what is said when others change them, too.
 #include <deque>
+#include <thread>
 
 #include <QtTest>
 
@@ -60,6 +61,25 @@ Outcome<jobs::OverlayOutcome> change(Store& store, const std::string& mine, cons
 }
 
 using Between = jobs::OverlayOutcome::Between;
+
+/// Another thread, which does one work after the other when the test says so.
+class Elsewhere {
+ public:
+  jobs::OverlayOrder::Elsewhere asked() {
+    return [this](std::function<std::function<void()>()> work) { works_.push_back(std::move(work)); };
+  }
+  bool idle() const { return works_.empty(); }
+  void doNext() {
+    const auto work = std::move(works_.front());
+    works_.pop_front();
+    std::function<void()> then;
+    std::thread([&] { then = work(); }).join();
+    then();
+  }
+
+ private:
+  std::deque<std::function<std::function<void()>()>> works_;
+};
 
 }  // namespace
 
@@ -145,6 +165,56 @@ class TestChangeOverlays : public QObject {
     const auto cut = change(store, features(kPoint), features(kWall));
     QVERIFY(cut && cut->sent && cut->unreadable.any() && !cut->certain());
     QCOMPARE(cut->held.version, std::optional(6));
+  }
+
+  void whatIsWorkedOutElsewhereComesToTheSame() {
+    Store store;
+    store.held.text = features(kWall + " , " + kPoint);
+    Elsewhere elsewhere;
+    std::optional<Outcome<jobs::OverlayOutcome>> outcome;
+    const std::string moved = R"({"id":"w","geometry":null})";
+    jobs::OverlayOrder order{
+        {map::MapKind::Stored, "1"}, document(features(moved)), document(features(kWall))};
+    order.elsewhere = elsewhere.asked();
+    jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
+    QVERIFY(store.sent.empty());
+    elsewhere.doNext();
+    QCOMPARE(store.sent, std::vector<std::string>{features(moved + " , " + kPoint)});
+    QVERIFY(!outcome);
+    elsewhere.doNext();
+    QVERIFY(outcome && *outcome && elsewhere.idle());
+    QVERIFY((*outcome)->certain());
+    QCOMPARE((*outcome)->changes.size(), std::size_t(1));
+    QCOMPARE((*outcome)->changes[0].id, "w");
+  }
+
+  void cancelledWhileItIsMergedNothingIsSent() {
+    Store store;
+    Elsewhere elsewhere;
+    std::optional<Outcome<jobs::OverlayOutcome>> outcome;
+    jobs::OverlayOrder order{
+        {map::MapKind::Stored, "1"}, document(features(kPoint)), document(features(kWall))};
+    order.elsewhere = elsewhere.asked();
+    const robot::Call call =
+        jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
+    call.cancel();
+    elsewhere.doNext();
+    QVERIFY(store.sent.empty() && elsewhere.idle());
+    QVERIFY(outcome && !*outcome);
+    QCOMPARE(outcome->error().kind, map::FailureKind::Cancelled);
+    QCOMPARE(outcome->error().applied, map::Applied::No);
+    QVERIFY(call.over());
+  }
+
+  /// What the review of the window shows.
+  void theChangesAreThoseToWhatTheRobotHolds() {
+    Store store;
+    store.held.text = features(kPoint + "," + kWall);  // another order, which is no change
+    const std::string moved = R"({"id":"w","geometry":null})";
+    const auto looked = change(store, features(moved + "," + kPoint), features(kWall + "," + kPoint), false);
+    QVERIFY(looked && looked->merge.theirs.empty());
+    QCOMPARE(looked->changes.size(), std::size_t(1));
+    QCOMPARE(looked->changes[0].from, std::optional<std::size_t>(1));
   }
 
   void aVersionIsNotPutIntoAnotherMap() {

@@ -1,11 +1,12 @@
 #include "ui/overlays/overlay_review.h"
 
+#include <utility>
+
 #include <QAbstractListModel>
 #include <QListView>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "overlays/overlay_merge.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/overlays/overlay_text.h"
@@ -17,11 +18,13 @@ using overlays::OverlayDocument;
 /// Words them when they are seen: there may be ten thousand.
 class OverlayReview::Changes : public QAbstractListModel {
  public:
-  Changes(const OverlayDocument& before, const OverlayDocument& after, QObject* parent)
-      : QAbstractListModel(parent),
-        before_(before),
-        after_(after),
-        changes_(overlays::changesBetween(before, after)) {}
+  Changes(const OverlayDocument& before, const OverlayDocument& after,
+          std::vector<overlays::OverlayChange> changes, QObject* parent)
+      : QAbstractListModel(parent), before_(before), after_(after), changes_(std::move(changes)) {}
+
+  bool areBetween(const OverlayDocument& before, const OverlayDocument& after) const {
+    return before.isSameText(before_) && after.isSameText(after_);
+  }
 
   int rowCount(const QModelIndex& parent = {}) const override {
     return parent.isValid() ? 0 : int(changes_.size());
@@ -37,9 +40,10 @@ class OverlayReview::Changes : public QAbstractListModel {
 };
 
 OverlayReview::OverlayReview(const QString& map, const QString& robot, const OverlayDocument& before,
-                             const OverlayDocument& after, const QString& note, QWidget* parent)
+                             const OverlayDocument& after, std::vector<overlays::OverlayChange> changes,
+                             const QString& note, QWidget* parent)
     : QDialog(parent),
-      changes_(new Changes(before, after, this)),
+      changes_(new Changes(before, after, std::move(changes), this)),
       save_(new QPushButton(robot.isEmpty() ? tr("Save the file") : tr("Save to the robot"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName(QStringLiteral("overlayReview"));
@@ -77,7 +81,8 @@ QStringList OverlayReview::changesShown() const {
 }
 
 bool OverlayReview::shows(const OverlayDocument& before, const OverlayDocument& after) const {
-  const Changes now(before, after, nullptr);
+  if (changes_->areBetween(before, after)) return true;
+  const Changes now(before, after, overlays::changesBetween(before, after), nullptr);
   if (now.rowCount() != changes_->rowCount()) return false;
   for (std::size_t row = 0; row < std::size_t(now.rowCount()); ++row) {
     if (now.text(row) != changes_->text(row)) return false;

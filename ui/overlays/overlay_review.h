@@ -1,10 +1,12 @@
 // What saving would change, before anything is sent.
 #pragma once
 
+#include <vector>
+
 #include <QDialog>
 #include <QStringList>
 
-#include "overlays/overlay_document.h"
+#include "overlays/overlay_merge.h"
 
 class QPushButton;
 
@@ -13,9 +15,11 @@ namespace mapwright::ui {
 class OverlayReview : public QDialog {
   Q_OBJECT
  public:
-  /// `robot`: empty for a file. `note`: what else is to be known; may be empty.
+  /// `robot`: empty for a file. `changes`: from `before` to `after`. `note`: what else is to be known; may be
+  /// empty.
   OverlayReview(const QString& map, const QString& robot, const overlays::OverlayDocument& before,
-                const overlays::OverlayDocument& after, const QString& note, QWidget* parent = nullptr);
+                const overlays::OverlayDocument& after, std::vector<overlays::OverlayChange> changes,
+                const QString& note, QWidget* parent = nullptr);
 
   QPushButton* saveButton() const { return save_; }
   QPushButton* cancelButton() const { return cancel_; }

@@ -336,13 +336,15 @@ bool OverlaysController::isStillHeld() const {
          info->overlays_version == held.version && info->uid == held.map_uid;
 }
 
-void OverlaysController::showReview() {
+void OverlaysController::showReview(const jobs::OverlayOutcome* looked) {
+  const OverlayDocument base = editing_.document().base(), mine = editing_.document().mine();
+  const bool known = looked && looked->before.text == base.text() && mine.isSameText(looked->merge.document);
   QStringList notes;
   if (dock_->hasUnsavedFlaws()) notes << tr("Some of these have flaws: see the panel Overlays.");
   if (const QString why = notChecked(); !why.isEmpty()) notes << why;
   review_ = new OverlayReview(mapName(), session_->robot().isLocal() ? QString() : context_.current.called(),
-                              editing_.document().base(), editing_.document().mine(), words::paragraph(notes),
-                              &context_.window);
+                              base, mine, known ? looked->changes : overlays::changesBetween(base, mine),
+                              words::paragraph(notes), &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
     review_ = nullptr;
     if (opened != opened_) return;
@@ -364,7 +366,7 @@ void OverlaysController::reviewAnew() {
   review_->disconnect(this);  // what waits for saving still does
   std::exchange(review_, nullptr)->reject();
   if (conflicts) return askToDecide();
-  unsaved() ? showReview() : onAllSaved();
+  unsaved() ? showReview(nullptr) : onAllSaved();
 }
 
 /// What others did while something was being saved was told while nobody listened.
@@ -386,7 +388,7 @@ void OverlaysController::onFailed(const map::Failure& failure) {
 void OverlaysController::onOutcome(const jobs::OverlayOutcome& outcome, bool sent) {
   readIfChanged();
   if (overlays_->inConflict() && !outcome.sent) return askToDecide();
-  if (!sent && unsaved()) return showReview();
+  if (!sent && unsaved()) return showReview(&outcome);
   if (editing_.inFile() && outcome.sent) Q_EMIT fileWritten();
   const QString doubt = jobs::doubtOf(outcome);
   if (!outcome.differs.empty()) return notSaved(tr("%1 They are still unsaved here.").arg(doubt));

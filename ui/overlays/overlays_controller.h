@@ -92,7 +92,8 @@ class OverlaysController : public EditorController {
   /// The robot tells that its overlays are those that were looked at. Of maps that it is not in it tells
   /// nothing.
   bool isStillHeld() const;
-  void showReview();
+  /// `looked`: what came of a look just now; null: there was none.
+  void showReview(const jobs::OverlayOutcome* looked);
   void onOutcome(const jobs::OverlayOutcome& outcome, bool sent);
   void onFailed(const map::Failure& failure);
   void readIfChanged();

@@ -12,7 +12,10 @@ using overlays::OverlayDocument;
 
 OverlaySession::OverlaySession(StoreNow store, Target target, const QString& address, OverlayEditing& editing,
                                const EditOptions& options)
-    : store_(std::move(store)), target_(std::move(target)), editing_(editing) {
+    : store_(std::move(store)),
+      target_(std::move(target)),
+      editing_(editing),
+      share_(work::orOwn(options.workers)) {
   DocumentDrafts::Kind kind;
   kind.of = {address, QString::fromStdString(map::toText(target_.map) + target_.uid),
              QStringLiteral("overlays")};
@@ -112,6 +115,7 @@ void OverlaySession::change(bool send, bool still_held) {
   if (!self) return;
   jobs::OverlayOrder order{target_.map, editing_.document().mine(), editing_.document().base(), send};
   if (still_held) order.held = held_;
+  order.elsewhere = onAnotherThread();
   order.seen = [self](const robot::OverlayText& text, bool sent) {
     if (self) self->merge(text, sent);
   };
@@ -125,6 +129,13 @@ void OverlaySession::change(bool send, bool still_held) {
                                  outcome ? self->ended(*outcome, send) : self->failed(outcome.error());
                                  if (self) Q_EMIT self->changed();
                                });
+}
+
+jobs::OverlayOrder::Elsewhere OverlaySession::onAnotherThread() {
+  return [this](std::function<std::function<void()>()> work) {
+    share_.startLong(
+        [this, work = std::move(work)] { QMetaObject::invokeMethod(this, work(), Qt::QueuedConnection); });
+  };
 }
 
 void OverlaySession::restoreDraft(const QString& text) {

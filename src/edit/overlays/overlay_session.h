@@ -10,6 +10,7 @@
 #include "edit/overlays/overlay_editing.h"
 #include "jobs/change_overlays.h"
 #include "robot/overlay_store.h"
+#include "work/workers.h"
 
 namespace mapwright::edit {
 
@@ -72,6 +73,7 @@ class OverlaySession : public EditSession {
 
  private:
   void change(bool send, bool still_held);
+  jobs::OverlayOrder::Elsewhere onAnotherThread();
   void merge(const robot::OverlayText& text, bool sent);
   void rebase(const overlays::OverlayDocument& held);
 
@@ -82,6 +84,7 @@ class OverlaySession : public EditSession {
   bool reading_ = false, read_again_ = false, saving_ = false, doubt_ = false;
   Fault unreadable_;
   robot::OverlayText held_;
+  work::Tasks share_;  // last: waits for running work
 };
 
 }  // namespace mapwright::edit
