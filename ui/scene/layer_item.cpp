@@ -110,6 +110,7 @@ QPainterPath LayerItem::shape() const {
 }
 
 void LayerItem::update(const QRectF& rect) {
+  ++revision_;
   QGraphicsItem::update(rect);
   if (context_.changed) context_.changed(*this, rect.isNull() ? boundingRect() : rect);
 }
@@ -159,6 +160,16 @@ void LayerItem::setPart(std::optional<QRectF> part) {
   part_ = part;
   setFlag(ItemClipsToShape, part_.has_value());
   update();
+}
+
+void CrowdLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
+  constexpr std::size_t kCrowd = 500;
+  if (!widget || count() < kCrowd) {
+    kept_.forget();
+    return paintThings(*painter, option->exposedRect);
+  }
+  kept_.paint(*painter, option->exposedRect, context_.view, revision(),
+              [this](QPainter& on, const QRectF& exposed) { paintThings(on, exposed); });
 }
 
 void DeviceLayer::viewMoved() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -28,6 +29,7 @@
 #include "render/raster_tiles.h"
 #include "ui/scene/drawing.h"
 #include "ui/scene/drawn_waypoint.h"
+#include "ui/scene/kept_picture.h"
 #include "ui/scene/labels.h"
 #include "ui/scene/layer.h"
 #include "ui/scene/map_object.h"
@@ -191,9 +193,13 @@ class LayerItem : public QGraphicsItem {
   QColor colorOr(const QColor& otherwise) const { return style_.color.isValid() ? style_.color : otherwise; }
   double sizeOr(double otherwise) const { return style_.size > 0 ? style_.size : otherwise; }
 
+  /// Another one if it looks different.
+  std::uint64_t revision() const { return revision_; }
+
   const LayerContext& context_;
 
  private:
+  std::uint64_t revision_ = 0;
   std::optional<FeaturesOf> of_;
   LayerStyle style_;
   std::optional<QRectF> part_;
@@ -215,6 +221,23 @@ class SmallLayer : public LayerItem {
 
  private:
   QRectF painted_;
+};
+
+/// One of things that may be thousands: these are not drawn again for what changes elsewhere.
+class CrowdLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  std::size_t cacheBytes() const override { return kept_.bytes(); }
+
+ protected:
+  /// How many there are.
+  virtual std::size_t count() const = 0;
+  /// At least what lies in `exposed`.
+  virtual void paintThings(QPainter& painter, const QRectF& exposed) const = 0;
+
+ private:
+  KeptPicture kept_;
 };
 
 /// For LayerSpec::items: one item.

@@ -59,27 +59,9 @@ bool meets(const QRectF& area, const QRectF& wanted) {
 }
 
 /// Walls, regions and places, read-only.
-class OverlaysLayer : public LayerItem {
+class OverlaysLayer : public CrowdLayer {
  public:
-  using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
-    using map::OverlayShape;
-    const QRectF wanted =
-        option->exposedRect.adjusted(-kFeatureReachPx, -kFeatureReachPx, kFeatureReachPx, kFeatureReachPx);
-    painter->setRenderHint(QPainter::Antialiasing);
-    for (const OverlayShape shape : {OverlayShape::Polygon, OverlayShape::Line, OverlayShape::Point}) {
-      for (const map::OverlayFeature& feature : context_.of(*of()).overlays) {
-        if (feature.shape != shape) continue;
-        if (shape == OverlayShape::Polygon) paintRegion(*painter, feature, wanted);
-        if (shape == OverlayShape::Line) paintLine(*painter, feature, wanted);
-        if (shape == OverlayShape::Point && !feature.parts.empty() && !feature.parts[0].empty() &&
-            wanted.contains(toPoint(context_.view.pixelFromWorld(feature.parts[0][0])))) {
-          drawPlace(*painter, context_, feature.parts[0][0], feature.yaw_rad,
-                    overlayColor(context_.theme, feature));
-        }
-      }
-    }
-  }
+  using CrowdLayer::CrowdLayer;
   geometry::WorldRect contentBounds() const override {
     geometry::WorldRect bounds;
     for (const map::OverlayFeature& feature : context_.of(*of()).overlays) {
@@ -114,6 +96,26 @@ class OverlaysLayer : public LayerItem {
  private:
   static QString nameOf(const map::OverlayFeature& feature) {
     return feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
+  }
+
+  std::size_t count() const override { return context_.of(*of()).overlays.size(); }
+  void paintThings(QPainter& painter, const QRectF& exposed) const override {
+    using map::OverlayShape;
+    const QRectF wanted =
+        exposed.adjusted(-kFeatureReachPx, -kFeatureReachPx, kFeatureReachPx, kFeatureReachPx);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const OverlayShape shape : {OverlayShape::Polygon, OverlayShape::Line, OverlayShape::Point}) {
+      for (const map::OverlayFeature& feature : context_.of(*of()).overlays) {
+        if (feature.shape != shape) continue;
+        if (shape == OverlayShape::Polygon) paintRegion(painter, feature, wanted);
+        if (shape == OverlayShape::Line) paintLine(painter, feature, wanted);
+        if (shape == OverlayShape::Point && !feature.parts.empty() && !feature.parts[0].empty() &&
+            wanted.contains(toPoint(context_.view.pixelFromWorld(feature.parts[0][0])))) {
+          drawPlace(painter, context_, feature.parts[0][0], feature.yaw_rad,
+                    overlayColor(context_.theme, feature));
+        }
+      }
+    }
   }
 
   void paintRegion(QPainter& painter, const map::OverlayFeature& feature, const QRectF& wanted) const {

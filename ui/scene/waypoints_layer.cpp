@@ -79,26 +79,26 @@ class Sprites {
 bool isSpecial(const DrawnWaypoint& point) { return point.selected || point.mark != WaypointMark::Saved; }
 
 /// Waypoints with their headings.
-class WaypointsLayer : public LayerItem {
+class WaypointsLayer : public CrowdLayer {
  public:
-  using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+  using CrowdLayer::CrowdLayer;
+  std::size_t count() const override { return context_.of(*of()).waypoints.size(); }
+  void paintThings(QPainter& painter, const QRectF& exposed) const override {
     const std::vector<DrawnWaypoint>& points = context_.of(*of()).waypoints;
     const geometry::ViewTransform& view = context_.view;
     const MapTheme& theme = context_.theme;
     const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
     const bool crowd = points.size() > kCrowd && view.scale_m_per_px > kNameFromMPerPx;
     const QRectF wanted =
-        option->exposedRect.adjusted(-kMarkReachPx, -kMarkReachPx, kMarkReachPx, kMarkReachPx)
-            .intersected(seen);
+        exposed.adjusted(-kMarkReachPx, -kMarkReachPx, kMarkReachPx, kMarkReachPx).intersected(seen);
     // If many are dragged, or were just moved, headings and lines to their origins are omitted.
     std::size_t special_seen = 0;
     for (const DrawnWaypoint& point : points)
       special_seen += isSpecial(point) && seen.contains(toPoint(view.pixelFromWorld(point.position_m)));
     const bool crowd_of_special = special_seen > kCrowd;
-    Sprites sprites(theme, painter->device()->devicePixelRatioF());
+    Sprites sprites(theme, painter.device()->devicePixelRatioF());
     std::unordered_set<std::uint64_t> taken, taken_by_special;
-    painter->setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing);
     // Prominent ones are drawn on top; in a crowd those with warnings are preferred.
     for (const auto& [special, warned] :
          {std::pair(false, true), std::pair(false, false), std::pair(true, true), std::pair(true, false)}) {
@@ -117,19 +117,19 @@ class WaypointsLayer : public LayerItem {
           // Conflicts are never omitted.
           const bool alone = point.mark == WaypointMark::Conflict || point.mark == WaypointMark::Theirs;
           if (cells.insert(cell(at.x()) << 32 | cell(at.y())).second || alone)
-            sprites.draw(*painter, at, point.mark, point.selected, warned);
+            sprites.draw(painter, at, point.mark, point.selected, warned);
           continue;
         }
         const QColor color = waypointColor(theme, point.mark);
         if (point.from_m) {
-          painter->setPen(QPen(color, 1.2, Qt::DashLine));
-          painter->drawLine(toPoint(view.pixelFromWorld(*point.from_m)), at);
+          painter.setPen(QPen(color, 1.2, Qt::DashLine));
+          painter.drawLine(toPoint(view.pixelFromWorld(*point.from_m)), at);
         }
-        if (point.selected) paintRing(*painter, theme, at);
+        if (point.selected) paintRing(painter, theme, at);
         if (point.yaw_rad && std::isfinite(*point.yaw_rad))
-          drawHeading(*painter, context_, at, *point.yaw_rad, color);
-        paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
-        if (!point.warnings.isEmpty()) paintWarning(*painter, theme, at);
+          drawHeading(painter, context_, at, *point.yaw_rad, color);
+        paintWaypointMark(painter, at, kRadiusPx, point.mark, color, theme.text_halo);
+        if (!point.warnings.isEmpty()) paintWarning(painter, theme, at);
       }
     }
   }
