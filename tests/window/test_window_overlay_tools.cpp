@@ -362,20 +362,20 @@ class TestWindowOverlayTools : public QObject {
   void aPartOfTheMapIsPaintedAsTheWholeIs() {
     Desk desk;
     overlays::OverlayDocument many = *overlays::OverlayDocument::read(kOverlays);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 600; ++i) {  // so many that a picture of them is kept
       const overlays::Feature one =
-          overlays::movedBy(many.features()[std::size_t(i % 3)], {i % 20 * 0.9 - 9, i / 20 * 0.9 - 7});
+          overlays::movedBy(many.features()[std::size_t(i % 3)], {i % 20 * 0.9 - 9, i / 20 * 0.45 - 7});
       many.add(overlays::withPart(one, {overlays::Part::Of::Member, "id"}, "\"n" + std::to_string(i) + '"'));
     }
     QVERIFY(desk.hand(many.text()));
     desk.start();
     QTest::keyClick(desk.window->view(), Qt::Key_E);
-    QTRY_COMPARE(desk.document().size(), std::size_t(303));
+    QTRY_COMPARE(desk.document().size(), std::size_t(603));
     QCoreApplication::processEvents();
     desk.look();
     desk.editing().select([&] {
       std::set<FeatureKey> keys;
-      for (FeatureKey key = 0; key < 303; ++key) keys.insert(key);
+      for (FeatureKey key = 0; key < 603; ++key) keys.insert(key);
       return keys;
     }());
     // Away from half pixels, where pictures of marks may be rounded to either side.

@@ -44,6 +44,8 @@ OverlayTool::OverlayTool(edit::OverlayEditing* editing, const scene::MapScene* s
       connect(draw, &MapTool::finished, this, [this] { setMode(OverlayMode::Select); });
     }
   }
+  for (const auto signal : {&edit::OverlayEditing::changed, &edit::OverlayEditing::previewChanged})
+    connect(editing_, signal, this, [this] { ++many_revision_; });
   connect(select_, &OverlaySelect::refused, this, &OverlayTool::refused);
   connect(select_, &MapTool::finished, this, &MapTool::finished);
 }
@@ -161,11 +163,21 @@ void OverlayTool::eachLine(FeatureKey key, const std::function<void(const QPoint
   }
 }
 
-void OverlayTool::paintSelected(QPainter& painter) const {
+void OverlayTool::paintSelected(QPainter& painter) {
   std::set<FeatureKey> keys = editing_->selected();
   if (const auto under = select_->under(); under && !drawing()) keys.insert(*under);
   painter.setBrush(Qt::NoBrush);
-  if (keys.size() > kMostDrawnInHand) return paintMany(painter, keys);
+  if (keys.size() > kMostDrawnInHand) {
+    const QColor color = scene_->theme().accent;
+    if (keys != many_keys_ || color != many_color_) ++many_revision_;
+    many_keys_ = std::move(keys);
+    many_color_ = color;
+    const QRectF viewport(painter.viewport());
+    const QRectF exposed = painter.hasClipping() ? painter.clipBoundingRect() & viewport : viewport;
+    return many_.paint(painter, exposed, scene_->view(), many_revision_,
+                       [this](QPainter& on, const QRectF& part) { paintMany(on, many_keys_, part); });
+  }
+  many_.forget();
   for (const FeatureKey key : keys) {
     if (!editing_->find(key)) continue;
     const Qt::PenStyle style = editing_->selected().contains(key) ? Qt::SolidLine : Qt::DotLine;
@@ -180,7 +192,8 @@ void OverlayTool::paintSelected(QPainter& painter) const {
 }
 
 /// Plainer, and fast: each mark of a point is a copy of one picture.
-void OverlayTool::paintMany(QPainter& painter, const std::set<FeatureKey>& keys) const {
+void OverlayTool::paintMany(QPainter& painter, const std::set<FeatureKey>& keys,
+                            const QRectF& exposed) const {
   constexpr double kMarkPx = 26;
   const QColor accent = scene_->theme().accent;
   const double ratio = painter.device()->devicePixelRatioF();
@@ -195,8 +208,6 @@ void OverlayTool::paintMany(QPainter& painter, const std::set<FeatureKey>& keys)
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(accent, 2));
-  const QRectF viewport(painter.viewport());
-  const QRectF exposed = painter.hasClipping() ? painter.clipBoundingRect() & viewport : viewport;
   const QRectF seen = exposed.adjusted(-kMarkPx, -kMarkPx, kMarkPx, kMarkPx);
   for (const FeatureKey key : keys) {
     eachLine(

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
+
+#include <QColor>
 
 #include "ui/overlays/overlay_draw.h"
 #include "ui/overlays/overlay_select.h"
 #include "ui/overlays/overlay_text.h"
+#include "ui/scene/kept_picture.h"
 
 namespace mapwright::ui {
 
@@ -72,8 +76,8 @@ class OverlayTool : public MapTool {
   QPointF px(const Eigen::Vector2d& world_m) const;
   void eachLine(FeatureKey key, const std::function<void(const QPointF&)>& point,
                 const std::function<void(const QPolygonF&)>& line, const QRectF& exposed) const;
-  void paintSelected(QPainter& painter) const;
-  void paintMany(QPainter& painter, const std::set<FeatureKey>& keys) const;
+  void paintSelected(QPainter& painter);
+  void paintMany(QPainter& painter, const std::set<FeatureKey>& keys, const QRectF& exposed) const;
   /// Where they moved what I moved, too.
   void paintTheirs(QPainter& painter) const;
 
@@ -87,6 +91,10 @@ class OverlayTool : public MapTool {
   std::array<int, 5> types_{};
   QString unavailable_reason_;
   std::optional<Eigen::Vector2d> cursor_m_;
+  scene::KeptPicture many_;  // of those that are selected
+  std::uint64_t many_revision_ = 0;
+  std::set<FeatureKey> many_keys_;
+  QColor many_color_;
 };
 
 }  // namespace mapwright::ui
