@@ -1,4 +1,6 @@
 // What the manual says of commands, JSON and menus is so, and what --help says agrees with itself.
+#include <algorithm>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QJsonArray>
@@ -265,6 +267,25 @@ class ManualTest : public QObject {
       }
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+  }
+
+  /// By its whole name, or by its last word below a heading of its group.
+  void allJsonIsInTheManual() {
+    const QStringList parts = pageOf("docs/json.md").split(QStringLiteral("\n#"));
+    QStringList lacking;
+    for (auto it = helps_.begin(); it != helps_.end(); ++it) {
+      if (!it->has(QStringLiteral("--json"))) continue;
+      const QString whole =
+          QStringLiteral("`%1`").arg(it.key().isEmpty() ? QStringLiteral("--version") : it.key());
+      const QString group = QLatin1Char('`') + it.key().section(QLatin1Char(' '), 0, -2) + QLatin1Char(' ');
+      const QString last = QStringLiteral("`%1`").arg(it.key().section(QLatin1Char(' '), -1));
+      if (std::none_of(parts.begin(), parts.end(), [&](const QString& part) {
+            const QString heading = part.section(QLatin1Char('\n'), 0, 0);
+            return part.contains(whole) || (heading.contains(group) && part.contains(last));
+          }))
+        lacking << it.key();
+    }
+    QVERIFY2(lacking.isEmpty(), qPrintable(lacking.join(QLatin1Char('\n'))));
   }
 
   /// docs/json.md has a table for each command: every member that is printed is in it, with its type, and
