@@ -1,4 +1,7 @@
-// What sources and documents refer to is there: every page that is named, and every heading of it.
+// What sources and documents refer to is there: every page that is named, and every heading of it; what the
+// guides name of the code.
+#include <algorithm>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -81,6 +84,7 @@ class TestDocuments : public QObject {
   void deadReferencesAreFound();
   void whatSourcesNameIsThere();
   void linksOfDocumentsLeadSomewhere();
+  void guidesNameCodeThatIsThere();
 };
 
 void TestDocuments::deadReferencesAreFound() {
@@ -130,6 +134,51 @@ void TestDocuments::linksOfDocumentsLeadSomewhere() {
     }
   }
   QVERIFY2(dead.isEmpty(), qPrintable(QLatin1Char('\n') + dead.join(QLatin1Char('\n'))));
+}
+
+/// Files and names of the code that the guides quote, such as `app/poses.cpp` or `wire::LinkRef`; what they
+/// make up is listed here.
+void TestDocuments::guidesNameCodeThatIsThere() {
+  const QStringList made_up{QStringLiteral("app/state.cpp"),  QStringLiteral("addState"),
+                            QStringLiteral("src/robot/NAME"), QStringLiteral("ui/NAME"),
+                            QStringLiteral("your_layer"),     QStringLiteral("Yours"),
+                            QStringLiteral("MyLink"),         QStringLiteral("NameController"),
+                            QStringLiteral("NameDock"),       QStringLiteral("build/release/app/mapwright")};
+  const QStringList files = filesNamed({QStringLiteral("*")});
+  static const QRegularExpression source(QStringLiteral("\\.(h|cpp|cmake)$|CMakeLists\\.txt$"));
+  static const QRegularExpression no_word(QStringLiteral("\\W+"));
+  QSet<QString> words;
+  for (const QString& path : files) {
+    const QString text = source.match(path).hasMatch() ? path + QLatin1Char('\n') + textOf(path) : path;
+    for (const QString& word : text.split(no_word)) words << word;
+  }
+  const auto isFile = [&](const QString& path) {
+    return QFileInfo::exists(repository().filePath(path)) ||
+           std::any_of(files.begin(), files.end(),
+                       [&](const QString& file) { return file.endsWith(QLatin1Char('/') + path); });
+  };
+  static const QRegularExpression quoted(QStringLiteral("`([^`\n]+)`"));
+  static const QRegularExpression path(QStringLiteral("^[\\w.-]+(/[\\w.-]+)+$"));
+  static const QRegularExpression name(QStringLiteral("\\b[A-Za-z_]\\w{3,}\\b"));
+  QStringList gone;
+  int named = 0;
+  for (const QString& guide : filesNamed({QStringLiteral("*.md")})) {
+    if (!guide.startsWith(QLatin1String("docs/how-to/"))) continue;
+    for (auto it = quoted.globalMatch(textOf(guide)); it.hasNext();) {
+      const QString said = it.next().captured(1);
+      ++named;
+      if (path.match(said).hasMatch()) {
+        if (!isFile(said) && !made_up.contains(said)) gone << guide + QLatin1String(": ") + said;
+        continue;
+      }
+      for (auto one = name.globalMatch(said); one.hasNext();) {
+        const QString word = one.next().captured();
+        if (!words.contains(word) && !made_up.contains(word)) gone << guide + QLatin1String(": ") + word;
+      }
+    }
+  }
+  QVERIFY(named > 150);
+  QVERIFY2(gone.isEmpty(), qPrintable(QLatin1Char('\n') + gone.join(QLatin1Char('\n'))));
 }
 
 }  // namespace
