@@ -56,12 +56,11 @@ class TestKeptPicture : public QObject {
     drawn_.clear();
     const QImage blue = paint(kAll, 1);
     QCOMPARE(blue.pixelColor(5, 5), QColor(Qt::blue));
-    QCOMPARE(drawn_, std::vector<QRectF>{kAll});
     for (int i = 0; i < 3; ++i) QCOMPARE(paint(kAll, 1), blue);
-    QCOMPARE(drawn_.size(), std::size_t(2));
+    QCOMPARE(drawn_, std::vector<QRectF>{kAll});
     view_.center_m.x() = 1;
-    paint(kAll, 1);
-    QCOMPARE(drawn_.size(), std::size_t(3));
+    paint(kPart, 1);
+    QCOMPARE(drawn_, (std::vector<QRectF>{kAll, kPart}));
   }
 
   void itHasThePixelsOfTheDevice() {

@@ -8,13 +8,12 @@ namespace mapwright::ui::scene {
 
 void KeptPicture::paint(QPainter& painter, const QRectF& exposed, const geometry::ViewTransform& view,
                         std::uint64_t revision, const Draw& draw) {
+  const bool moved = view_ != view;
+  if (moved || revision_ != revision) drawn_ = false;
+  view_ = view;
+  revision_ = revision;
   // While the camera moves, a picture would be used only once.
-  const std::pair now(view, revision);
-  if (painted_ != now) {
-    painted_ = now;
-    drawn_ = false;
-    return draw(painter, exposed);
-  }
+  if (moved) return draw(painter, exposed);
   const qreal ratio = painter.device()->devicePixelRatioF();
   const QSize size(int(std::ceil(view.width_px * ratio)), int(std::ceil(view.height_px * ratio)));
   if (picture_.size() != size || picture_.devicePixelRatio() != ratio) {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <utility>
 
 #include <QImage>
 #include <QRectF>
@@ -28,9 +27,10 @@ class KeptPicture {
   std::size_t bytes() const { return std::size_t(picture_.sizeInBytes()); }
 
  private:
-  std::optional<std::pair<geometry::ViewTransform, std::uint64_t>> painted_;  // last
+  std::optional<geometry::ViewTransform> view_;  // of the last painting
+  std::uint64_t revision_ = 0;
   QImage picture_;
-  bool drawn_ = false;  // the picture shows painted_
+  bool drawn_ = false;  // the picture shows that
 };
 
 }  // namespace mapwright::ui::scene
