@@ -175,7 +175,9 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
   if (!of) return passOn(of);
   order.map = of->map;
   KeptOverlays kept(*of->robot, of->map);
-  order.seen = [&kept](const robot::OverlayText& text, bool saved) { kept.keep(text, saved); };
+  order.seen = [&kept](const robot::OverlayText& text, bool saved, const jobs::OverlaysHeld*) {
+    kept.keep(text, saved);
+  };
   const auto outcome =
       of->robot->ask<jobs::OverlayOutcome>([&](robot::OutcomeTo<jobs::OverlayOutcome> reply) {
         return jobs::changeOverlays(*of->store, order, std::move(reply));

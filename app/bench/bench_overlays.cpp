@@ -240,7 +240,7 @@ void overlaysRebase(benchmark::State& state) {
   for (auto _ : state) {
     x += 0.01;
     theirs.replace(7, overlays::movedBy(held.features()[7], {x, 0}));
-    desk.editing.rebase(theirs);
+    desk.editing.rebase(theirs, false);
     QApplication::processEvents();
   }
 }

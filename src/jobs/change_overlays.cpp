@@ -79,12 +79,19 @@ Looked lookedAt(const std::optional<OverlayDocument>& base, const OverlayDocumen
 
 struct Compared {
   std::vector<OverlayChange> differs;
+  std::optional<OverlaysHeld> held;
   Fault unreadable;
 };
 
 Compared comparedWith(const std::string& text, const OverlayDocument& sent) {
-  const auto held = OverlayDocument::read(text);
-  return held ? Compared{otherwiseHeld(sent, *held), {}} : Compared{{}, held.error()};
+  Compared compared;
+  if (const auto held = OverlayDocument::read(text)) {
+    compared.differs = otherwiseHeld(sent, *held);
+    compared.held = OverlaysHeld{*held, sent, compared.differs.empty()};
+  } else {
+    compared.unreadable = held.error();
+  }
+  return compared;
 }
 
 /// The steps of one order, one request after the other.
@@ -137,8 +144,8 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     order_.elsewhere ? order_.elsewhere(both) : both()();
   }
 
-  void reportSeen(const OverlayText& held, bool saved) {
-    if (order_.seen) order_.seen(held, saved);
+  void reportSeen(const OverlayText& held, bool saved, const OverlaysHeld* read = nullptr) {
+    if (order_.seen) order_.seen(held, saved, read);
   }
 
   void look(Outcome<OverlayText> now) {
@@ -213,7 +220,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     outcome_.held = std::move(*now);
     compute([sent = outcome_.merge.document, text = outcome_.held.text] { return comparedWith(text, sent); },
             [](OverlayChanging& self, Compared compared) {
-              self.reportSeen(self.outcome_.held, true);
+              self.reportSeen(self.outcome_.held, true, compared.held ? &*compared.held : nullptr);
               self.outcome_.differs = std::move(compared.differs);
               self.outcome_.unreadable = std::move(compared.unreadable);
               self.outcome_.unreadable.any() ? self.end(std::move(self.outcome_)) : self.judgeVersions();

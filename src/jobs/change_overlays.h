@@ -14,6 +14,12 @@
 
 namespace mapwright::jobs {
 
+/// What the robot holds after a change.
+struct OverlaysHeld {
+  overlays::OverlayDocument document, sent;
+  bool as_sent = false;  // but for new ids
+};
+
 /// What is to become of the overlays.
 struct OverlayOrder {
   map::MapKey map;
@@ -29,9 +35,9 @@ struct OverlayOrder {
   /// at once.
   using Elsewhere = std::function<void(std::function<std::function<void()>()> work)>;
   Elsewhere elsewhere = {};
-  /// Gets what the robot turns out to hold, each time that it was asked (`saved`: with the change); may be
-  /// empty.
-  std::function<void(const robot::OverlayText&, bool saved)> seen = {};
+  /// Gets what the robot turns out to hold, each time that it was asked. `saved`: with the change. `read`:
+  /// what is known of that text already; null: nothing. May be empty.
+  std::function<void(const robot::OverlayText&, bool saved, const OverlaysHeld* read)> seen = {};
 };
 
 struct OverlayOutcome {

@@ -267,9 +267,10 @@ class TestChangeOverlays : public QObject {
         {map::MapKind::Stored, "1"}, document(features(kPoint)), document(features(kWall))};
     order.held = store.held;
     int told = 0;
-    order.seen = [&](const OverlayText& text, bool saved) {
+    order.seen = [&](const OverlayText& text, bool saved, const jobs::OverlaysHeld* read) {
       ++told;
       QVERIFY(saved && text.text == features(kPoint));
+      QVERIFY(read && read->as_sent && read->document.text() == text.text);
     };
     jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
     QVERIFY(outcome && *outcome && (*outcome)->certain());

@@ -264,18 +264,13 @@ geometry::WorldRect OverlayEditing::bounds() const {
   return bounds;
 }
 
-void OverlayEditing::rebase(const OverlayDocument& theirs) {
+void OverlayEditing::rebase(const OverlayDocument& theirs, bool saved) {
   if (!open_) return;
   setPreview({});
   gesture_ = 0;
+  if (saved) document_.markSaved();
   document_.rebase(theirs);
   prune();
-  Q_EMIT changed();
-}
-
-void OverlayEditing::markSaved() {
-  gesture_ = 0;
-  document_.markSaved();
   Q_EMIT changed();
 }
 

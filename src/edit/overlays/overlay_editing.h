@@ -83,8 +83,8 @@ class OverlayEditing : public QObject {
   QString saying(const QString& pattern) const;
 
   // What the robot holds (overlays/editing_document.h).
-  void rebase(const overlays::OverlayDocument& theirs);
-  void markSaved();
+  /// `saved`: what is here was sent and is there now.
+  void rebase(const overlays::OverlayDocument& theirs, bool saved);
   void keepMine(const overlays::EditingDocument::Conflict& conflict);
   void useTheirs(const overlays::EditingDocument::Conflict& conflict);
   void restoreDraft(const overlays::OverlayDocument& base, const overlays::OverlayDocument& mine,

@@ -68,13 +68,15 @@ void OverlaySession::read() {
   Q_EMIT changed();
 }
 
-void OverlaySession::merge(const robot::OverlayText& text, bool sent) {
+void OverlaySession::merge(const robot::OverlayText& text, bool sent, const jobs::OverlaysHeld* read) {
   const QPointer<OverlaySession> here(this);
   held_ = text;
   Q_EMIT seen(text, sent);
   using Read = tl::expected<OverlayDocument, Fault>;
   const auto& base = editing_.document().base();
-  auto held = editing_.isOpen() && base.text() == text.text ? Read(base) : OverlayDocument::read(text.text);
+  auto held = editing_.isOpen() && base.text() == text.text ? Read(base)
+              : read                                        ? Read(read->document)
+                                                            : OverlayDocument::read(text.text);
   unreadable_ = held ? Fault() : held.error();
   failure_.reset();
   if (!held) {
@@ -85,7 +87,7 @@ void OverlaySession::merge(const robot::OverlayText& text, bool sent) {
   }
   phase_ = Phase::Ready;
   if (editing_.isOpen()) {
-    rebase(*held);
+    rebase(*held, read);
   } else {
     editing_.open(std::move(*held));
     Q_EMIT opened();
@@ -94,13 +96,18 @@ void OverlaySession::merge(const robot::OverlayText& text, bool sent) {
   if (here && std::exchange(doubt_, false)) Q_EMIT doubtSettled(!unsaved());
 }
 
-void OverlaySession::rebase(const OverlayDocument& held) {
+void OverlaySession::rebase(const OverlayDocument& held, const jobs::OverlaysHeld* read) {
   const auto& document = editing_.document();
   if (held.isSameText(document.base())) return;
   const std::size_t before = document.changedThere().size();
   // What was sent is there, or what was not known to be saved turns out to be.
-  if (document.unsaved() && jobs::otherwiseHeld(document.mine(), held).empty()) editing_.markSaved();
-  editing_.rebase(held);
+  bool saved = false;
+  if (document.unsaved()) {
+    const OverlayDocument mine = document.mine();
+    const bool compared = read && read->sent.isSameText(mine);
+    saved = compared ? read->as_sent : jobs::otherwiseHeld(mine, held).empty();
+  }
+  editing_.rebase(held, saved);
   const std::size_t now = document.changedThere().size();
   if (now > before) Q_EMIT changedThere(qsizetype(now - before));
 }
@@ -116,8 +123,8 @@ void OverlaySession::change(bool send, bool still_held) {
   jobs::OverlayOrder order{target_.map, editing_.document().mine(), editing_.document().base(), send};
   if (still_held) order.held = held_;
   order.elsewhere = onAnotherThread();
-  order.seen = [self](const robot::OverlayText& text, bool sent) {
-    if (self) self->merge(text, sent);
+  order.seen = [self](const robot::OverlayText& text, bool was_sent, const jobs::OverlaysHeld* read) {
+    if (self) self->merge(text, was_sent, read);
   };
   call_ = jobs::changeOverlays(*store, std::move(order),
                                [self, send](const robot::Outcome<jobs::OverlayOutcome>& outcome) {

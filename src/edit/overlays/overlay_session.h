@@ -74,8 +74,9 @@ class OverlaySession : public EditSession {
  private:
   void change(bool send, bool still_held);
   jobs::OverlayOrder::Elsewhere onAnotherThread();
-  void merge(const robot::OverlayText& text, bool sent);
-  void rebase(const overlays::OverlayDocument& held);
+  /// `read`: what is known of `text` already; null: nothing.
+  void merge(const robot::OverlayText& text, bool sent, const jobs::OverlaysHeld* read = nullptr);
+  void rebase(const overlays::OverlayDocument& held, const jobs::OverlaysHeld* read);
 
   StoreNow store_;
   Target target_;
