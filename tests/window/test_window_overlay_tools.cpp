@@ -23,6 +23,7 @@
 #include "ui/overlays/collection_dialog.h"
 #include "ui/overlays/overlay_actions.h"
 #include "ui/overlays/overlay_form.h"
+#include "ui/overlays/overlay_marks.h"
 #include "ui/overlays/overlay_marks_dialog.h"
 #include "ui/overlays/overlay_snapping.h"
 #include "ui/shell/current_session.h"
@@ -357,6 +358,16 @@ class TestWindowOverlayTools : public QObject {
     desk.drag(desk.px(2, 2), desk.px(2, 1.5));  // the middle of a side
     QCOMPARE(desk.points(1).size(), std::size_t(5));
     QVERIFY(desk.dock().form()->typePicker()->isEnabled());
+  }
+
+  void eachUnsavedOneHasAMarkHoweverManyThereAre() {
+    constexpr std::size_t kCount = 3'000;
+    const overlays::Feature one = overlays::OverlayDocument::read(kOverlays)->features()[0];
+    overlays::EditingDocument document;
+    std::vector<overlays::FeatureEdit> edits;
+    for (std::size_t i = 0; i < kCount; ++i) edits.push_back({document.newKey(), std::nullopt, one});
+    QVERIFY(document.change(std::move(edits)));
+    QCOMPARE(stateMarksOf(document).size(), kCount);
   }
 
   void aPartOfTheMapIsPaintedAsTheWholeIs() {

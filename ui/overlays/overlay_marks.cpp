@@ -1,5 +1,6 @@
 #include "ui/overlays/overlay_marks.h"
 
+#include <map>
 #include <utility>
 
 #include <QGraphicsItem>
@@ -9,6 +10,7 @@
 #include "overlays/overlay_shapes.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/scene/drawing.h"
+#include "ui/scene/kept_picture.h"
 #include "ui/scene/map_theme.h"
 
 namespace mapwright::ui {
@@ -19,7 +21,7 @@ using Kind = OverlayMark::Kind;
 constexpr double kAbove = 1e6;  // all layers and names
 constexpr double kPlacePx = 9, kStatePx = 5.5;
 constexpr double kReachPx = 20;  // no mark of a state is larger
-constexpr std::size_t kMostStates = 2'000;
+constexpr std::size_t kMany = 500;
 constexpr QPointF kStateAside(11, -11);  // not on the thing itself
 
 /// They differ in their dashes, too.
@@ -77,7 +79,7 @@ std::vector<OverlayMark> stateMarksOf(const overlays::EditingDocument& document)
   std::set<FeatureKey> in_conflict;
   for (const auto& conflict : document.conflicts()) in_conflict.insert(conflict.first);
   std::vector<OverlayMark> marks;
-  for (FeatureKey key = 0; key < document.size() && marks.size() < kMostStates; ++key) {
+  for (FeatureKey key = 0; key < document.size(); ++key) {
     const State state = document.state(key);
     const bool there = document.changedThere().contains(key);
     if (state == State::Same && !there) continue;
@@ -134,6 +136,7 @@ class OverlayMarks::Item : public QGraphicsItem {
   void setMarks(std::vector<OverlayMark> marks) {
     prepareGeometryChange();
     marks_ = std::move(marks);
+    ++revision_;
     setVisible(!marks_.empty());
     update();
   }
@@ -149,32 +152,59 @@ class OverlayMarks::Item : public QGraphicsItem {
     return {0, 0, double(scene_->view().width_px), double(scene_->view().height_px)};
   }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
-    const QRectF wanted = option->exposedRect.adjusted(-kReachPx, -kReachPx, kReachPx, kReachPx);
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setBrush(Qt::NoBrush);
-    for (const OverlayMark& mark : marks_) {
-      if (mark.kind == Kind::State) {
-        paintState(*painter, mark, wanted);
-        continue;
-      }
-      const QPen pen = penOf(mark.kind, scene_->theme());
-      paintMark(*painter, mark, QPen(scene_->theme().text_halo, pen.widthF() + 3));
-      paintMark(*painter, mark, pen);
+    if (marks_.size() < kMany) {
+      kept_.forget();
+      return paintMarks(*painter, option->exposedRect);
     }
+    if (std::exchange(dark_, scene_->theme().dark) != scene_->theme().dark) ++revision_;
+    kept_.paint(*painter, option->exposedRect, scene_->view(), revision_,
+                [this](QPainter& on, const QRectF& exposed) { paintMarks(on, exposed); });
   }
 
  private:
-  void paintState(QPainter& painter, const OverlayMark& mark, const QRectF& wanted) const {
-    using scene::WaypointMark;
-    const QPointF at = scene::toPoint(scene_->view().pixelFromWorld(mark.points.front())) + kStateAside;
-    if (!wanted.contains(at)) return;
-    const scene::MapTheme& theme = scene_->theme();
-    const QColor fill = mark.state == WaypointMark::Conflict || mark.state == WaypointMark::Deleted
-                            ? theme.bad
-                        : mark.state == WaypointMark::Theirs ? theme.accent
-                                                             : theme.warn;
-    scene::paintWaypointMark(painter, at, kStatePx, mark.state, fill, theme.text_halo);
+  void paintMarks(QPainter& painter, const QRectF& exposed) const {
+    const QRectF wanted = exposed.adjusted(-kReachPx, -kReachPx, kReachPx, kReachPx);
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
+    std::map<scene::WaypointMark, QImage> images;
+    for (const OverlayMark& mark : marks_) {
+      if (mark.kind == Kind::State) {
+        const QPointF at = scene::toPoint(scene_->view().pixelFromWorld(mark.points.front())) + kStateAside;
+        if (!wanted.contains(at)) continue;
+        if (marks_.size() < kMany) {
+          paintState(painter, at, mark.state);
+        } else {
+          paintImage(painter, at, mark.state, images);
+        }
+        continue;
+      }
+      const QPen pen = penOf(mark.kind, scene_->theme());
+      paintMark(painter, mark, QPen(scene_->theme().text_halo, pen.widthF() + 3));
+      paintMark(painter, mark, pen);
+    }
+  }
+  void paintState(QPainter& painter, const QPointF& at, scene::WaypointMark state) const {
+    using scene::WaypointMark;
+    const scene::MapTheme& theme = scene_->theme();
+    const bool bad = state == WaypointMark::Conflict || state == WaypointMark::Deleted;
+    const QColor fill = bad ? theme.bad : state == WaypointMark::Theirs ? theme.accent : theme.warn;
+    scene::paintWaypointMark(painter, at, kStatePx, state, fill, theme.text_halo);
+    painter.setBrush(Qt::NoBrush);
+  }
+  /// Many times as fast; at whole pixels.
+  void paintImage(QPainter& painter, const QPointF& at, scene::WaypointMark state,
+                  std::map<scene::WaypointMark, QImage>& images) const {
+    constexpr int kEdge = 24;
+    QImage& image = images[state];
+    if (image.isNull()) {
+      const qreal ratio = painter.device()->devicePixelRatioF();
+      image = QImage((QSizeF(kEdge, kEdge) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+      image.setDevicePixelRatio(ratio);
+      image.fill(Qt::transparent);
+      QPainter on_image(&image);
+      paintState(on_image, QPointF(kEdge, kEdge) / 2, state);
+    }
+    painter.drawImage((at - QPointF(kEdge, kEdge) / 2).toPoint(), image);
   }
   void paintMark(QPainter& painter, const OverlayMark& mark, const QPen& pen) const {
     painter.setPen(pen);
@@ -193,6 +223,9 @@ class OverlayMarks::Item : public QGraphicsItem {
 
   const scene::MapScene* scene_;
   std::vector<OverlayMark> marks_;
+  scene::KeptPicture kept_;
+  std::uint64_t revision_ = 0;
+  bool dark_ = false;
 };
 
 OverlayMarks::OverlayMarks(scene::MapScene* scene, QObject* parent)

@@ -62,6 +62,7 @@ OverlaySelect::OverlaySelect(edit::OverlayEditing* editing, const scene::MapScen
 
 void OverlaySelect::lookAnew() {
   rings_.reset();
+  bounds_.reset();
   if (vertex_of_ != editing_->only()) dropVertex();
   if (vertex_) {
     const Rings& now = rings();
@@ -156,9 +157,14 @@ std::optional<QPointF> OverlaySelect::handle() const {
                        scene().view().rotation_rad;
     return px(*place) + QPointF(std::cos(yaw), -std::sin(yaw)) * kHandlePx;
   }
-  const geometry::WorldRect bounds = on_map_->boundsOf(editing_->selected());
+  const geometry::WorldRect bounds = selectedBounds();
   if (bounds.empty()) return std::nullopt;
   return turnHandle(scene().view(), bounds, middleOf(bounds), kHandlePx);
+}
+
+geometry::WorldRect OverlaySelect::selectedBounds() const {
+  if (!bounds_) bounds_ = on_map_->boundsOf(editing_->selected());
+  return *bounds_;
 }
 
 bool OverlaySelect::onHandle(const QPointF& at) const {
@@ -399,7 +405,7 @@ std::vector<QRectF> OverlaySelect::covered() const {
 void OverlaySelect::paint(QPainter& painter) {
   paintVertices(painter);
   if (const auto grip = handle()) {
-    const QPointF from = px(middleOf(on_map_->boundsOf(editing_->selected())));
+    const QPointF from = px(middleOf(selectedBounds()));
     lineWithHalo(painter, theme(), from, *grip, Qt::DotLine);
     paintGrip(painter, theme(), *grip, kGripPx);
   }

@@ -64,6 +64,7 @@ class OverlaySelect : public DragTool {
   void dropVertex();
   void removeVertex();
   void lookAnew();
+  geometry::WorldRect selectedBounds() const;
   Eigen::Vector2d anchorNear(const Eigen::Vector2d& at_m, FeatureKey key) const;
   bool nudge(const MapKeyPress& press);
   void paintVertices(QPainter& painter) const;
@@ -82,7 +83,9 @@ class OverlaySelect : public DragTool {
   std::optional<FeatureKey> under_;
   edit::OverlayEditing::Gesture nudging_ = 0;
   std::set<FeatureKey> nudged_;
-  mutable std::optional<Rings> rings_;  // made when they are asked for
+  // Made when they are asked for:
+  mutable std::optional<Rings> rings_;
+  mutable std::optional<geometry::WorldRect> bounds_;
 };
 
 }  // namespace mapwright::ui
