@@ -123,9 +123,12 @@ class OverlaysDesk : public Desk, public robot::OverlayStore {
   bool holdsMine() const override { return text_.find("[3") != std::string::npos; }
   bool holdsTheirs() const override { return text_.find("theirs") != std::string::npos; }
   void read() override { session_->read(); }
+  int answered() const { return answered_; }
+  void close() { session_.reset(); }
 
   robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::OverlayText> reply) override {
     QTimer::singleShot(0, &timers_, [this, reply] {
+      ++answered_;
       reply(robot::OverlayText{.text = text_, .version = version_, .map_uid = "u", .map_name = "Hall"});
     });
     return {};
@@ -146,7 +149,7 @@ class OverlaysDesk : public Desk, public robot::OverlayStore {
  private:
   std::string text_ =
       R"({"type":"FeatureCollection","features":[{"id":"p1","type":"Feature","geometry":{"type":"Point","coordinates":[2,1]},"properties":{"type":"25","name":"Desk"}}]})";
-  int version_ = 1;
+  int version_ = 1, answered_ = 0;
   Fate fate_ = Fate::Done;
   OverlayEditing editing_;
   std::unique_ptr<OverlaySession> session_;
@@ -308,6 +311,18 @@ class EditSessionsTest : public QObject {
     QVERIFY2(count("\"bbox\":[-2,0,0,4]") == 3 && count("\"bbox\":[-2,4,-2,4]") == 1 &&
                  count("\"bbox\":[-1,0,0,3]") == 2,
              now.c_str());
+  }
+
+  void nothingIsSentOfWhatIsClosedWhileItIsMerged() {
+    OverlaysDesk desk;
+    QTRY_COMPARE(desk.session().phase(), EditSession::Phase::Ready);
+    desk.change();
+    desk.save(Fate::Done);
+    const int before = desk.answered();
+    while (desk.answered() == before) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    desk.close();  // another thread merges
+    QCoreApplication::processEvents();
+    QVERIFY(!desk.holdsMine());
   }
 
   void whatIsNotStoredIsUnsaved_data() {
