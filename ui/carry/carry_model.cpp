@@ -166,8 +166,7 @@ QVariant CarryModel::headerData(int section, Qt::Orientation orientation, int ro
   return {};
 }
 
-CarryFilter::CarryFilter(CarryModel& model, QObject* parent)
-    : QSortFilterProxyModel(parent), model_(model), order_(nameOrder()) {
+CarryFilter::CarryFilter(CarryModel& model, QObject* parent) : QSortFilterProxyModel(parent), model_(model) {
   setSourceModel(&model);
 }
 
@@ -187,7 +186,7 @@ bool CarryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) co
   if (left.column() == CarryModel::Became) return rankOf(a) < rankOf(b);
   if (left.column() == CarryModel::WallsOff)
     return a.carried.local_residual_m.value_or(-1) < b.carried.local_residual_m.value_or(-1);
-  return order_.compare(a.name, b.name) < 0;
+  return order_.isLess(a.name, b.name);
 }
 
 }  // namespace mapwright::ui

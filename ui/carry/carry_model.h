@@ -5,11 +5,11 @@
 #include <vector>
 
 #include <QAbstractTableModel>
-#include <QCollator>
 #include <QSortFilterProxyModel>
 #include <QString>
 
 #include "carry/carried.h"
+#include "ui/kit/name_order.h"
 
 namespace mapwright::ui {
 
@@ -86,7 +86,7 @@ class CarryFilter : public QSortFilterProxyModel {
 
  private:
   const CarryModel& model_;
-  QCollator order_;
+  NameOrder order_;
   Shown shown_ = Shown::All;
 };
 

@@ -170,9 +170,10 @@ QVariant OverlaysModel::headerData(int section, Qt::Orientation orientation, int
   return section == NameColumn ? tr("Name") : section == TypeColumn ? tr("Type") : tr("State");
 }
 
-OverlayFilter::OverlayFilter(QObject* parent) : QSortFilterProxyModel(parent), order_(nameOrder()) {}
+OverlayFilter::OverlayFilter(QObject* parent) : QSortFilterProxyModel(parent) {}
 
 void OverlayFilter::look(const QString& text) {
+  order_.forgetMany();
   wanted_ = text.trimmed();
   invalidateFilter();
 }
@@ -197,7 +198,7 @@ bool OverlayFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
   const bool nameless = left.data(OverlaysModel::kNamelessRole).toBool(),
              other_nameless = right.data(OverlaysModel::kNamelessRole).toBool();
   if (nameless != other_nameless) return other_nameless;
-  return order_.compare(left.data().toString(), right.data().toString()) < 0;
+  return order_.isLess(left.data().toString(), right.data().toString());
 }
 
 }  // namespace mapwright::ui

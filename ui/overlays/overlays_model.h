@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <QAbstractTableModel>
-#include <QCollator>
 #include <QSortFilterProxyModel>
 
 #include "edit/overlays/overlay_editing.h"
+#include "ui/kit/name_order.h"
 #include "ui/overlays/overlay_text.h"
 
 namespace mapwright::ui {
@@ -80,7 +80,7 @@ class OverlayFilter : public QSortFilterProxyModel {
  private:
   QString wanted_;
   int bits_ = 0;
-  QCollator order_;
+  NameOrder order_;
 };
 
 }  // namespace mapwright::ui

@@ -48,8 +48,6 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
   return pixmap;
 }
 
-constexpr std::size_t kMostSortKeys = 200'000;
-
 }  // namespace
 
 void WaypointsModel::setDocument(edit::WaypointDocument* document) {
@@ -280,10 +278,10 @@ QVariant WaypointsModel::headerData(int section, Qt::Orientation orientation, in
   return names.at(std::size_t(section)).isEmpty() ? QVariant() : names[std::size_t(section)];
 }
 
-WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent), order_(nameOrder()) {}
+WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {}
 
 void WaypointFilter::look(const QString& text) {
-  if (sort_keys_.size() > kMostSortKeys) sort_keys_.clear();
+  order_.forgetMany();
   wanted_ = text.trimmed();
   invalidateFilter();
 }
@@ -308,13 +306,7 @@ bool WaypointFilter::filterAcceptsRow(int row, const QModelIndex& parent) const 
 bool WaypointFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
   const QVariant one = left.data(sortRole()), other = right.data(sortRole());
   if (one.typeId() != QMetaType::QString) return QSortFilterProxyModel::lessThan(left, right);
-  return sortKey(one.toString()).compare(sortKey(other.toString())) < 0;
-}
-
-const QCollatorSortKey& WaypointFilter::sortKey(const QString& text) const {
-  const auto known = sort_keys_.find(text);
-  return known != sort_keys_.end() ? known->second
-                                   : sort_keys_.emplace(text, order_.sortKey(text)).first->second;
+  return order_.isLess(one.toString(), other.toString());
 }
 
 }  // namespace mapwright::ui

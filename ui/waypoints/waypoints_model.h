@@ -6,12 +6,12 @@
 #include <vector>
 
 #include <QAbstractTableModel>
-#include <QCollator>
 #include <QPointer>
 #include <QSortFilterProxyModel>
 
 #include "edit/document.h"
 #include "placing/warnings.h"
+#include "ui/kit/name_order.h"
 
 namespace mapwright::ui {
 
@@ -73,13 +73,9 @@ class WaypointFilter : public QSortFilterProxyModel {
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
-  /// Made once for each text, since thousands of rows are compared often.
-  const QCollatorSortKey& sortKey(const QString& text) const;
-
   QString wanted_;
   int pending_ = 0;
-  QCollator order_;
-  mutable std::unordered_map<QString, QCollatorSortKey> sort_keys_;
+  NameOrder order_;
 };
 
 }  // namespace mapwright::ui
