@@ -1038,6 +1038,20 @@
             <numerusform>%1 topics are described twice and differently (the first at byte %2). The first description is used.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 messages have no usable time and are left out.</source>
+        <translation>
+            <numerusform>%1 message has no usable time and is left out.</numerusform>
+            <numerusform>%1 messages have no usable time and are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 messages that it counts are not in it.</source>
+        <translation>
+            <numerusform>%1 message that it counts is not in it.</numerusform>
+            <numerusform>%1 messages that it counts are not in it.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ros</name>

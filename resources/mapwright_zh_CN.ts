@@ -23306,6 +23306,18 @@ Theirs: %6</source>
         <source>The connection to the robot was lost from %1 to %2.</source>
         <translation>从 %1 到 %2，与机器人的连接断开。</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 messages have no usable time and are left out.</source>
+        <translation>
+            <numerusform>%1 条消息没有可用的时间，已略去。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 messages that it counts are not in it.</source>
+        <translation>
+            <numerusform>其自身计数中有 %1 条消息实际不在其中。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>render</name>

@@ -16,6 +16,7 @@
 #include "fault/fault.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
+#include "robot/recorded/faults.h"
 #include "robot/recorded/recording_reasons.h"
 
 namespace mapwright::excerpt {
@@ -76,8 +77,11 @@ class WholeMcap {
 inline void addLosses(Written& done, const recording::Source& source, bool cut_short) {
   if (cut_short) done.losses.push_back(robot::recorded::interruptionOf(source.summary()));
   for (const recording::Note& note : source.summary().notes) {
-    if (!robot::recorded::isLoss(note.code)) continue;
-    done.losses.push_back(robot::recorded::reasonOf(note));
+    const bool untimed = note.code == recording::NoteCode::TimeUnusable;
+    if (!untimed && !robot::recorded::isLoss(note.code)) continue;
+    done.losses.push_back(
+        untimed ? Fault(robot::recorded::fault::RecordingMessagesUntimed, {std::int64_t(note.count)})
+                : robot::recorded::reasonOf(note));
     done.damaged |= note.code != recording::NoteCode::CutOff;
   }
 }

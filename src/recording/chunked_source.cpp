@@ -221,7 +221,10 @@ void ChunkedSource::addChannel(Channel channel, std::uint64_t offset) {
   if (found == channels_.end()) {
     const std::uint32_t id = channel.id;
     channels_.emplace(id, std::make_shared<const Channel>(std::move(channel)));
-  } else if (*found->second != channel) {
+    return;
+  }
+  channel.metadata = found->second->metadata;  // does not change how messages are read
+  if (*found->second != channel) {
     notes_.add(NoteCode::ChannelChanged, offset, channel.topic);
   }
 }

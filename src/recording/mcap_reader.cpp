@@ -42,6 +42,7 @@ class McapReader final : public ChunkedSource {
     if (footer && openByIndex(*footer, size - mcap::kMagic.size() - mcap::kFooterRecord)) return;
     schemas_.clear();
     scanAll(mcap::kMagic.size());
+    noteWhatFollows(size);
     // If the index was cut off, nothing says so.
     if (about_.finished && notes_.all().empty()) notes_.add(NoteCode::IndexUnusable, scanned_to_);
   }
@@ -60,6 +61,8 @@ class McapReader final : public ChunkedSource {
   bool sumFits(const mcap::Footer& footer, std::uint64_t footer_at) const;
   bool readChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end);
 
+  /// After a scan: what lies behind the end, such as another file.
+  void noteWhatFollows(std::uint64_t size);
   Step handleRecord(Window& window, const McapRecord& record, std::uint64_t to);
   Step readChunk(Window& window, const McapRecord& record, std::uint64_t to);
   Step readMessage(Window& window, const McapRecord& record);
@@ -68,10 +71,29 @@ class McapReader final : public ChunkedSource {
   Step readSmall(const McapRecord& record);
   void readSchema(std::span<const std::uint8_t> content, std::uint64_t at);
   void readChannel(std::span<const std::uint8_t> content, std::uint64_t at);
+  void add(mcap::ChannelRecord record, std::uint64_t at);
+  /// Of the messages that the statistics count.
+  void noteMissing(std::uint64_t stated);
   void listRecords(UnpackedChunk& chunk, const ChunkLocation& location);
 
   std::map<std::uint16_t, mcap::Schema> schemas_;
+  std::uint64_t data_end_ = 0;  // where the scan ended; 0: not at the end of the data
 };
+
+void McapReader::noteWhatFollows(std::uint64_t size) {
+  Window window(*bytes_);
+  for (std::uint64_t at = data_end_; at != 0 && at < size;) {
+    ByteReader in(window.look(at, mcap::kRecordHead, size));
+    const auto op = Op(in.number<std::uint8_t>());
+    const auto length = in.number<std::uint64_t>();
+    if (!in.sound() || length > size - at - mcap::kRecordHead) return;
+    at += mcap::kRecordHead + length;
+    if (op != Op::Footer) continue;
+    at += mcap::kMagic.size();
+    if (at < size) notes_.add(NoteCode::BytesSkipped, at, {}, size - at);
+    return;
+  }
+}
 
 std::optional<mcap::Footer> McapReader::findFooter(std::uint64_t size) const {
   std::array<std::uint8_t, mcap::kFooterRecord + mcap::kMagic.size()> end{};
@@ -118,6 +140,7 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
   if (!summary) return unusable();
 
   std::vector<mcap::ChunkIndex> indexes;
+  std::vector<std::pair<mcap::ChannelRecord, std::uint64_t>> without_schema;
   std::optional<mcap::Statistics> statistics;
   ByteReader in(summary->all());
   while (in.left() > 0) {
@@ -128,7 +151,12 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
     if (op == Op::Schema) {
       readSchema(content, at);
     } else if (op == Op::Channel) {
-      readChannel(content, at);
+      auto channel = mcap::read<mcap::ChannelRecord>(content);
+      if (channel && channel->schema_id != 0 && !schemas_.contains(channel->schema_id)) {
+        without_schema.emplace_back(std::move(*channel), at);
+      } else {
+        readChannel(content, at);
+      }
     } else if (op == Op::Statistics) {
       statistics = mcap::read<mcap::Statistics>(content);
     } else if (op == Op::ChunkIndex) {
@@ -143,6 +171,12 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
   }
   if (!readChunkIndexes(indexes, start)) return unusable();
   findChannels();
+  // The chunks have described those whose schemas only they hold.
+  const auto known = channels();
+  for (auto& [channel, at] : without_schema) {
+    const auto isIt = [id = channel.id](const ChannelPtr& one) { return one->id == id; };
+    if (std::none_of(known.begin(), known.end(), isIt)) add(std::move(channel), at);
+  }
   for (std::size_t i = 0; i < chunks().size(); ++i) {
     if (chunks()[i].first_ns > chunks()[i].last_ns) lookInto(i);
   }
@@ -152,13 +186,31 @@ bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at
   about_.counted = std::none_of(chunks().begin(), chunks().end(), [&](const ChunkLocation& chunk) {
     return std::any_of(chunk.shares.begin(), chunk.shares.end(), uncounted);
   });
-  if (about_.counted) return true;
-  about_.messages_of.clear();
-  about_.messages = statistics ? statistics->messages : 0;
-  about_.counted = statistics && (!statistics->messages_of.empty() || statistics->messages == 0);
-  if (!about_.counted) return true;
-  for (const auto& [channel, count] : statistics->messages_of) about_.messages_of[channel] = count;
+  if (!about_.counted) {
+    about_.messages_of.clear();
+    about_.messages = statistics ? statistics->messages : 0;
+    about_.counted = statistics && (!statistics->messages_of.empty() || statistics->messages == 0);
+    if (!about_.counted) return true;
+    about_.messages = 0;
+    for (const auto& [channel, count] : statistics->messages_of) {
+      about_.messages_of[channel] = count;
+      about_.messages += count;
+    }
+  }
+  if (statistics) noteMissing(statistics->messages);
   return true;
+}
+
+void McapReader::noteMissing(std::uint64_t stated) {
+  std::uint64_t found = 0;
+  for (const ChannelPtr& channel : channels()) {
+    const auto of = about_.messages_of.find(channel->id);
+    if (of != about_.messages_of.end()) found += of->second;
+  }
+  for (const Note& note : notes_.all()) {
+    if (note.code == NoteCode::UnknownChannel || note.code == NoteCode::TimeUnusable) found += note.count;
+  }
+  if (stated > found) notes_.add(NoteCode::MessagesMissing, 0, {}, stated - found);
 }
 
 /// Also scans what lies between the chunks: attachments, metadata, and messages outside of any chunk.
@@ -221,10 +273,14 @@ void McapReader::readChannel(std::span<const std::uint8_t> content, std::uint64_
     notes_.add(NoteCode::RecordCorrupt, at);
     return;
   }
-  const auto schema = schemas_.find(record->schema_id);
+  add(std::move(*record), at);
+}
+
+void McapReader::add(mcap::ChannelRecord record, std::uint64_t at) {
+  const auto schema = schemas_.find(record.schema_id);
   const mcap::Schema of = schema == schemas_.end() ? mcap::Schema() : schema->second;
-  addChannel({record->id, std::move(record->topic), std::move(record->message_encoding), of.name, of.encoding,
-              of.data, std::move(record->metadata)},
+  addChannel({record.id, std::move(record.topic), std::move(record.message_encoding), of.name, of.encoding,
+              of.data, std::move(record.metadata)},
              at);
 }
 
@@ -398,9 +454,13 @@ ChunkedSource::Step McapReader::handleRecord(Window& window, const McapRecord& r
     case Op::Metadata:
       return readSmall(record);
     case Op::DataEnd:
-      return record.length >= 4 && record.length <= 64 ? Step::DataEnds : Step::NoRecord;
+      if (record.length < 4 || record.length > 64) return Step::NoRecord;
+      data_end_ = record.end();
+      return Step::DataEnds;
     case Op::Footer:
-      return record.length == mcap::kFooterContent ? Step::DataEnds : Step::NoRecord;
+      if (record.length != mcap::kFooterContent) return Step::NoRecord;
+      data_end_ = record.at;
+      return Step::DataEnds;
     default:
       return Step::Taken;  // part of a summary, or private
   }

@@ -78,10 +78,11 @@ enum class NoteCode : std::uint8_t {
   RecordTooLarge,     // schemas, channels, metadata beyond Limits::most_record_bytes: skipped
   RecordCorrupt,      // such records that say nothing sound
   UnknownChannel,     // messages of an undescribed channel
-  ChannelChanged,     // channels described again differently; the first description is used
+  ChannelChanged,     // channels described again, with other messages; the first description is used
   TimeUnusable,       // messages with an invalid log time: after the year 2261
   AttachmentCorrupt,  // wrong checksum, or cut off: `name`
   Unreadable,         // the disk could not read it
+  MessagesMissing,    // `count` messages that it counts itself are not in it
   TableDamaged,  // a database whose table of messages cannot be read to its end; `count` messages were read
   FileMissing,   // a recording of several files lacks one, or one that cannot be read: `name`
   Unpacked,      // it was compressed as a whole (`name`: how), and has `count` bytes

@@ -60,7 +60,8 @@ Opened openFolder(const std::string& folder, const Limits& limits, const Stop& s
   std::vector<std::unique_ptr<Source>> parts;
   std::vector<Note> notes;
   std::optional<Failure> first;
-  for (const std::string& name : filesOfRosbagFolder(folder)) {
+  const RosbagFolder said = rosbagFolder(folder);
+  for (const std::string& name : said.files) {
     Opened part = openFile(folder + '/' + name, limits, stop, true);
     if (part) {
       parts.push_back(std::move(*part));
@@ -70,6 +71,14 @@ Opened openFolder(const std::string& folder, const Limits& limits, const Stop& s
     if (!first) first = part.error();
   }
   if (parts.empty()) return tl::unexpected(first.value_or(Failure{Failure::Code::NotOne, {}}));
+  // Where a file is missing, so are its messages.
+  std::uint64_t found = notes.empty() ? 0 : said.messages;
+  for (const auto& part : parts) {
+    const Summary summary = part->summary();
+    found += summary.messages;
+    if (!summary.counted || !summary.notes.empty()) found = said.messages;  // they say what is lost
+  }
+  if (found < said.messages) notes.push_back({NoteCode::MessagesMissing, 0, said.messages - found, {}});
   return joined(std::move(parts), std::move(notes));
 }
 

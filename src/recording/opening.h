@@ -20,8 +20,12 @@ Opened openSqliteBag(const std::string& path, const Limits& limits, Stop stop);
 
 /// The folder at this path, or that of its metadata.yaml.
 std::optional<std::string> rosbagFolderAt(const std::string& path);
-/// What metadata.yaml of rosbag2 says of its files, in their order; only names, which lie in the folder.
-std::vector<std::string> filesOfRosbagFolder(const std::string& folder);
+/// What metadata.yaml of rosbag2 says.
+struct RosbagFolder {
+  std::vector<std::string> files;  // in their order; only names, which lie in the folder
+  std::uint64_t messages = 0;      // in all of them; 0: not said
+};
+RosbagFolder rosbagFolder(const std::string& folder);
 
 /// Several recordings as one: their messages by time, those of one time in the order of the files.
 std::unique_ptr<Source> joined(std::vector<std::unique_ptr<Source>> parts, std::vector<Note> notes);

@@ -232,15 +232,18 @@ constexpr const char* kMetadataFile = "metadata.yaml";
 
 }  // namespace
 
-std::vector<std::string> filesOfRosbagFolder(const std::string& folder) {
-  std::vector<std::string> files;
+RosbagFolder rosbagFolder(const std::string& folder) {
+  RosbagFolder said;
+  std::vector<std::string>& files = said.files;
   const auto text = disk::readFile(folder + '/' + kMetadataFile, kMostMetadata + 1);
   const auto document =
       text ? yaml::readYaml(*text, {.most_bytes = kMostMetadata}) : tl::make_unexpected(yaml::Broken());
-  if (!document) return files;
+  if (!document) return said;
   try {
-    const YAML::Node paths = document->root["rosbag2_bagfile_information"]["relative_file_paths"];
-    if (!paths || !paths.IsSequence()) return files;
+    const YAML::Node about = document->root["rosbag2_bagfile_information"];
+    const YAML::Node paths = about["relative_file_paths"];
+    if (!paths || !paths.IsSequence()) return said;
+    if (const YAML::Node count = about["message_count"]) said.messages = count.as<std::uint64_t>(0);
     for (const YAML::Node& path : paths) {
       // Older releases wrote the folder, too; nothing outside of it is read.
       const std::string name = path.IsScalar() ? withoutFolders(path.Scalar()) : std::string();
@@ -250,7 +253,7 @@ std::vector<std::string> filesOfRosbagFolder(const std::string& folder) {
   } catch (const YAML::Exception&) {
     files.clear();
   }
-  return files;
+  return said;
 }
 
 std::optional<std::string> rosbagFolderAt(const std::string& path) {
@@ -264,7 +267,7 @@ std::optional<std::string> rosbagFolderAt(const std::string& path) {
 
 bool isRosbagFolder(const std::string& path) {
   const auto folder = rosbagFolderAt(path);
-  return folder && !filesOfRosbagFolder(*folder).empty();
+  return folder && !rosbagFolder(*folder).files.empty();
 }
 
 std::unique_ptr<Source> joined(std::vector<std::unique_ptr<Source>> parts, std::vector<Note> notes) {

@@ -17,7 +17,7 @@
 namespace mapwright::replay {
 namespace {
 
-constexpr double kFirstS = 0, kLastS = 4'102'444'800;  // until the year 2100
+constexpr double kFirstS = 0, kLastS = 9'223'372'036;  // what a recording can hold: until the year 2262
 constexpr Tick kLongest = Tick(256 * kTicksPerS);
 constexpr Tick kMostCells = 4096;
 /// Data placed by later messages, or late data, may change the last seconds.

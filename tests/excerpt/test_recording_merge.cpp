@@ -14,6 +14,7 @@
 #include "excerpt/recording_merge.h"
 #include "excerpt/recording_slice.h"
 #include "recording/message.h"
+#include "robot/recorded/faults.h"
 #include "robot/recorded/recording_reasons.h"
 #include "test_program.h"
 
@@ -285,6 +286,27 @@ class RecordingMergeTest : public QObject {
       const auto merged = excerpt::mergeRecordings({path("fine")}, order);
       QVERIFY(merged.has_value());
       QCOMPARE(merged->messages, std::int64_t(held));
+    }
+  }
+
+  /// A clock that was set beyond all times: such messages are in no part, and that is said.
+  void messagesWithoutAUsableTimeAreMissed() {
+    recordings::RawMcap raw;
+    recordings::RawMcap::channel(raw.out, 1, "/a");
+    recordings::RawMcap::message(raw.out, 1, 5, "sound");
+    recordings::RawMcap::message(raw.out, 1, std::uint64_t(1) << 63, "none");
+    raw.end();
+    QVERIFY(!disk::writeFile(path("untimed"), *raw.bytes()));
+    excerpt::Order order;
+    order.path = path("timed");
+    const auto sliced = excerpt::sliceRecording(path("untimed"), order);
+    const auto merged = excerpt::mergeRecordings({path("untimed")}, order);
+    QVERIFY(sliced && *sliced && merged);
+    for (const excerpt::Written& written : {**sliced, *merged}) {
+      QCOMPARE(written.messages, std::int64_t(1));
+      QCOMPARE(written.losses.size(), std::size_t(1));
+      QCOMPARE(written.losses[0].code, robot::recorded::fault::RecordingMessagesUntimed);
+      QVERIFY(written.damaged);
     }
   }
 

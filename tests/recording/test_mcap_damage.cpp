@@ -25,6 +25,10 @@ class TestMcapDamage : public QObject {
   void anIndexThatLiesIsFoundOut();
   void messagesOfNobodysChannelAreCounted();
   void anUnknownCompressionIsNamed();
+  void schemasThatOnlyTheChunksHoldAreFound();
+  void aTopicThatBecomesAnotherIsNoted();
+  void whatFollowsTheEndIsNoted();
+  void messagesThatAreCountedButMissingAreNoted();
   void garbageNeverDoesHarm();
 };
 
@@ -276,6 +280,123 @@ void TestMcapDamage::anUnknownCompressionIsNamed() {
   QVERIFY(std::any_of(notes.begin(), notes.end(), [](const Note& note) {
     return note.code == NoteCode::ChunkCompression && note.name == "brotli";
   }));
+}
+
+namespace {
+
+/// Ends a file of one chunk with this summary.
+void endWith(RawMcap& raw, std::uint64_t chunk_at, const mcap::RecordWriter& records,
+             const mcap::Statistics& statistics) {
+  const std::uint64_t chunk_end = raw.out.bytes().size();
+  raw.out.begin(mcap::Op::DataEnd);
+  raw.out.u32(0);
+  raw.out.end();
+  const std::uint64_t start = raw.out.bytes().size();
+  raw.out.raw(records.bytes());
+  raw.out.begin(mcap::Op::ChunkIndex);
+  raw.out.u64(1).u64(2).u64(chunk_at).u64(chunk_end - chunk_at).u32(0).u64(0).text("").u64(0).u64(0);
+  raw.out.end();
+  mcap::write(raw.out, statistics);
+  raw.out.begin(mcap::Op::Footer);
+  raw.out.u64(start).u64(0).u32(0);
+  raw.out.end();
+  raw.out.raw(mcap::kMagic);
+}
+
+mcap::ChannelRecord channelOfSchema(std::uint16_t schema) {
+  mcap::ChannelRecord record;
+  record.id = 1;
+  record.schema_id = schema;
+  record.topic = "/a";
+  record.message_encoding = "json";
+  return record;
+}
+
+}  // namespace
+
+/// Writers may leave schemas out of the summary and still repeat the channels there.
+void TestMcapDamage::schemasThatOnlyTheChunksHoldAreFound() {
+  for (const bool defined : {true, false}) {
+    mcap::RecordWriter records, summary;
+    if (defined) mcap::write(records, mcap::Schema{3, "test/A", "jsonschema", "{}"});
+    mcap::write(records, channelOfSchema(3));
+    RawMcap::message(records, 1, 1, "one");
+    RawMcap::message(records, 1, 2, "two");
+    RawMcap raw;
+    const std::uint64_t at = raw.out.bytes().size();
+    raw.chunk(1, 2, records.size(), 0, "", records.bytes());
+    mcap::write(summary, channelOfSchema(3));
+    mcap::Statistics statistics;
+    statistics.messages = 2;
+    endWith(raw, at, summary, statistics);
+    const Opened opened = raw.open();
+    QVERIFY(opened && (*opened)->summary().indexed);
+    QCOMPARE((*opened)->channels().size(), std::size_t(1));
+    QCOMPARE((*opened)->channels().front()->schema_name, std::string(defined ? "test/A" : ""));
+    QVERIFY((*opened)->summary().notes.empty());
+    QCOMPARE(rowsOf(**opened).size(), std::size_t(2));
+  }
+}
+
+void TestMcapDamage::aTopicThatBecomesAnotherIsNoted() {
+  for (const bool other : {true, false}) {
+    mcap::RecordWriter records;
+    RawMcap::channel(records, 1, "/a");
+    RawMcap::message(records, 1, 1, "one");
+    mcap::ChannelRecord again = channelOfSchema(0);
+    if (other) again.topic = "/b";
+    again.metadata = {{"by", "another node"}};  // which does not change how messages are read
+    mcap::write(records, again);
+    RawMcap::message(records, 1, 2, "two");
+    RawMcap raw;
+    raw.chunk(1, 2, records.size(), 0, "", records.bytes());
+    raw.end();
+    const Opened opened = raw.open();
+    QCOMPARE(rowsOf(**opened).size(), std::size_t(2));
+    QCOMPARE(has(**opened, NoteCode::ChannelChanged), other);
+  }
+}
+
+void TestMcapDamage::whatFollowsTheEndIsNoted() {
+  const Made made = makeRecording(3, 6, 0, 9);
+  for (const std::string& more : {*made.bytes, std::string("garbage")}) {
+    const Opened opened = openRecording(heldBytes(std::make_shared<std::string>(*made.bytes + more)));
+    QVERIFY(opened);
+    QCOMPARE(rowsOf(**opened) == made.byTime(), true);
+    const std::vector<Note> notes = (*opened)->summary().notes;
+    const auto skipped = std::find_if(notes.begin(), notes.end(),
+                                      [](const Note& note) { return note.code == NoteCode::BytesSkipped; });
+    QVERIFY(skipped != notes.end());
+    QCOMPARE(skipped->offset, std::uint64_t(made.bytes->size()));
+    QCOMPARE(skipped->count, std::uint64_t(more.size()));
+  }
+}
+
+void TestMcapDamage::messagesThatAreCountedButMissingAreNoted() {
+  for (const std::uint64_t counted : {2, 5}) {
+    for (const bool by_channel : {true, false}) {
+      mcap::RecordWriter records, summary;
+      RawMcap::channel(records, 1, "/a");
+      RawMcap::message(records, 1, 1, "one");
+      RawMcap::message(records, 1, 2, "two");
+      RawMcap raw;
+      const std::uint64_t at = raw.out.bytes().size();
+      raw.chunk(1, 2, records.size(), 0, "", records.bytes());
+      RawMcap::channel(summary, 1, "/a");
+      mcap::Statistics statistics;
+      statistics.messages = counted;
+      if (by_channel) statistics.messages_of = {{1, 2}, {9, counted - 2}};
+      endWith(raw, at, summary, statistics);
+      const Opened opened = raw.open();
+      QVERIFY(opened);
+      const std::vector<Note> notes = (*opened)->summary().notes;
+      QCOMPARE(notes.size(), std::size_t(counted == 2 ? 0 : 1));
+      QCOMPARE((*opened)->summary().messages, std::uint64_t(2));
+      if (notes.empty()) continue;
+      QCOMPARE(notes[0].code, NoteCode::MessagesMissing);
+      QCOMPARE(notes[0].count, counted - 2);
+    }
+  }
 }
 
 void TestMcapDamage::garbageNeverDoesHarm() {

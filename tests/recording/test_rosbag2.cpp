@@ -237,6 +237,26 @@ class Rosbag2Test : public QObject {
     QVERIFY(!opened(folder));
   }
 
+  /// As if the .db3 were copied without the -wal beside it.
+  void messagesThatTheFolderCountsButAreMissingAreNoted() {
+    const QString folder = freshFolder();
+    writeDb3(folder + QStringLiteral("/a.db3"), 3, someMessages(3, 1000, 10));
+    for (const int counted : {8, 10, 17}) {
+      writeMetadata(folder, {"a.db3"});
+      writeText(folder + QStringLiteral("/metadata.yaml"),
+                contentOf(folder + QStringLiteral("/metadata.yaml")) +
+                    "  message_count: " + std::to_string(counted) + "\n");
+      const Opened file = opened(folder);
+      QVERIFY(file);
+      QCOMPARE((*file)->summary().messages, std::uint64_t(10));
+      const std::vector<Note> notes = (*file)->summary().notes;
+      QCOMPARE(notes.size(), std::size_t(counted > 10 ? 1 : 0));
+      if (notes.empty()) continue;
+      QCOMPARE(notes[0].code, NoteCode::MessagesMissing);
+      QCOMPARE(notes[0].count, std::uint64_t(7));
+    }
+  }
+
   void whatIsCompressedAsAWholeIsUnpacked() {
     const std::vector<Said> said = someMessages(4, 1000, 500);
     const QString db3 = fresh(".db3"), folder = freshFolder();

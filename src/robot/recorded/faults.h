@@ -78,6 +78,12 @@ inline constexpr FaultCode RecordingChannelsChanged{
 inline constexpr FaultCode RecordingFileInItCorrupt{
     "recorded", QT_TRANSLATE_NOOP("recorded", "The file %1 in the recording is damaged.")};
 /// how many
+inline constexpr FaultCode RecordingMessagesUntimed{
+    "recorded", QT_TRANSLATE_N_NOOP("recorded", "%1 messages have no usable time and are left out.")};
+/// how many
+inline constexpr FaultCode RecordingMessagesMissing{
+    "recorded", QT_TRANSLATE_N_NOOP("recorded", "%1 messages that it counts are not in it.")};
+/// how many
 inline constexpr FaultCode RecordingTableDamaged{
     "recorded",
     QT_TRANSLATE_N_NOOP("recorded", "It is damaged: after %1 messages no more of it can be read.")};
