@@ -468,13 +468,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 features of its overlays cannot be read.</source>
-        <translation>
-            <numerusform>%1 feature of its overlays cannot be read.</numerusform>
-            <numerusform>%1 features of its overlays cannot be read.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>The robot&apos;s answer (%1 bytes) is cut off or is not a submap.</source>
         <translation>
             <numerusform>The robot&apos;s answer (%1 byte) is cut off or is not a submap.</numerusform>
@@ -505,6 +498,9 @@
             <numerusform>%1 bytes where %2 (or %3) were expected</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>files</name>
 </context>
 <context>
     <name>grids</name>
@@ -1050,6 +1046,16 @@
         <translation>
             <numerusform>%1 message that it counts is not in it.</numerusform>
             <numerusform>%1 messages that it counts are not in it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>robot</name>
+    <message numerus="yes">
+        <source>%1 features of its overlays cannot be read.</source>
+        <translation>
+            <numerusform>%1 feature of its overlays cannot be read.</numerusform>
+            <numerusform>%1 features of its overlays cannot be read.</numerusform>
         </translation>
     </message>
 </context>

@@ -10394,12 +10394,6 @@ Do you want to delete it anyway?</source>
         <source>Its coordinates are missing, too few, or not numbers.</source>
         <translation>其坐标缺失、太少或不是数字。</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 features of its overlays cannot be read.</source>
-        <translation>
-            <numerusform>其覆盖物中有 %1 个要素无法读取。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The address of its picture is not valid.</source>
         <translation>其图像的地址无效。</translation>
@@ -10903,6 +10897,18 @@ Do you want to delete it anyway?</source>
     <message>
         <source>it has two lists of features</source>
         <translation>它有两个要素列表</translation>
+    </message>
+    <message>
+        <source>The yaw of its origin is more than a full turn. It is read as radians, not degrees.</source>
+        <translation>其原点的朝向超过一整圈。它按弧度而不是度读取。</translation>
+    </message>
+    <message>
+        <source>%1 is written twice. The first one counts.</source>
+        <translation>%1 写了两次，以第一个为准。</translation>
+    </message>
+    <message>
+        <source>It holds more than one document. Only the first one is read.</source>
+        <translation>它包含多个文档，只读取第一个。</translation>
     </message>
 </context>
 <context>
@@ -16398,6 +16404,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     <message>
         <source>Robot: %1 m</source>
         <translation>机器人：%1 m</translation>
+    </message>
+    <message>
+        <source>What cannot be read</source>
+        <translation>无法读取的内容</translation>
     </message>
 </context>
 <context>
@@ -22882,6 +22892,26 @@ Theirs: %6</source>
         <source>it contains more than %1 features</source>
         <translation>它含有超过 %1 个要素</translation>
     </message>
+    <message>
+        <source>it has more than one list of features</source>
+        <translation>它有不止一个要素列表</translation>
+    </message>
+    <message>
+        <source>Its geometry has no points.</source>
+        <translation>其几何没有点。</translation>
+    </message>
+    <message>
+        <source>Its geometry is of an unknown type: %1</source>
+        <translation>其几何类型未知：%1</translation>
+    </message>
+    <message>
+        <source>This is no GeoJSON Feature, so it is not shown.</source>
+        <translation>这不是 GeoJSON Feature，因此未显示。</translation>
+    </message>
+    <message>
+        <source>Its &quot;%1&quot; is written twice. The last one counts.</source>
+        <translation>其“%1”写了两次，以最后一个为准。</translation>
+    </message>
 </context>
 <context>
     <name>pbstream</name>
@@ -23374,6 +23404,12 @@ Theirs: %6</source>
     <message>
         <source>%1 cannot be written: %2</source>
         <translation>无法写入 %1：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 features of its overlays cannot be read.</source>
+        <translation>
+            <numerusform>其覆盖物中有 %1 个要素无法读取。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

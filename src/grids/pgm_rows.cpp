@@ -14,6 +14,8 @@ constexpr std::uint64_t kLongestHeader = 1 << 16;  // comments included
 constexpr std::size_t kTextWindow = std::size_t(64) << 10;
 constexpr int kLargestMaxval = 65535;
 
+constexpr FaultCode kExceeds = faultText("grids", "a number exceeds the maximum in the header");
+
 bool isSpace(int byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r'); }
 
 /// Bytes one after the other.
@@ -91,15 +93,30 @@ class RawRows final : public PictureRows {
     }
     at_ += row_.size();
     ++done_;
+    exceeds_ = exceeds_ || exceedsMaximum(row);
     return row;
+  }
+  void checkEnd() override {
+    if (exceeds_ && !problem_.any()) problem_ = kExceeds;
   }
 
  private:
+  /// Such samples are shown as the maximum.
+  bool exceedsMaximum(const std::uint8_t* row) const {
+    if (format_.sample_max == 255 || format_.sample_max == kLargestMaxval) return false;
+    const int step = format_.sample_bytes;
+    for (std::size_t i = 0; i < row_.size(); i += std::size_t(step)) {
+      if ((step == 1 ? row[i] : row[i] << 8 | row[i + 1]) > format_.sample_max) return true;
+    }
+    return false;
+  }
+
   PixelFormat format_;
   ByteSource bytes_;
   std::uint64_t at_;
   std::vector<std::uint8_t> row_;
   int done_ = 0;
+  bool exceeds_ = false;
 };
 
 class PlainRows final : public PictureRows {
@@ -113,7 +130,7 @@ class PlainRows final : public PictureRows {
     for (int u = 0; u < format_.width; ++u) {
       const long level = cursor_.number();
       if (level < 0 || level > format_.sample_max) {
-        problem_ = level >= 0 ? faultText("grids", "a number exceeds the maximum in the header")
+        problem_ = level >= 0                      ? kExceeds
                    : cursor_.at() >= bytes_.size() ? fault::DataEnds
                                                    : faultText("grids", "something in it is not a number");
         return nullptr;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "overlays/faults.h"
 #include "overlays/overlay_edits.h"
 #include "overlays/overlay_shapes.h"
 
@@ -49,6 +50,19 @@ std::vector<map::OverlayFeature> partsToDraw(const Feature& feature) {
     parts.push_back(std::move(drawn));
   }
   return parts;
+}
+
+std::optional<map::BrokenOverlay> notDrawn(const Feature& feature) {
+  const Shapes shapes = shapesOf(feature);
+  const auto broken = [&](Fault why) {
+    return map::BrokenOverlay{feature.id(), feature.name(), std::move(why), shapes.somewhere()};
+  };
+  if (!isFeature(feature)) return broken(fault::NoFeature);
+  if (shapes.unknown) return broken({fault::GeometryUnknown, {*shapes.unknown}});
+  if (shapes.bad) return broken({fault::BadCoordinate, {*shapes.bad}});
+  const auto geometry = feature.root().member("geometry");
+  if (geometry && geometry->kind() != JsonKind::Null && !shapes.somewhere()) return broken(fault::NoPoints);
+  return std::nullopt;
 }
 
 }  // namespace mapwright::overlays

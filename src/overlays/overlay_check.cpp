@@ -19,7 +19,7 @@ using placing::Cell;
 constexpr std::array<std::string_view, std::size_t(kLastRule) + 1> kRuleNames{
     "duplicate_id",     "duplicate_name", "self_intersection", "zero_area",
     "too_few_points",   "outside_map",    "in_wall",           "charger_without_dock",
-    "door_without_mac", "bad_number",     "unreachable"};
+    "door_without_mac", "bad_number",     "unreachable",       "unreadable"};
 
 constexpr double kNoAreaM2 = 1e-6;
 constexpr double kChargerDepthM = 0.5;  // chargers stand against walls, or in them
@@ -54,7 +54,9 @@ class Checking {
     std::map<std::pair<Shape, std::string>, int> met_names;
     for (index_ = 0; index_ < features_.size(); ++index_) {
       const Feature& feature = features_[index_];
+      if (!isFeature(feature)) add(Rule::Unreadable, fault::NoFeature);
       if (!feature.root().isObject()) continue;
+      checkReadable();
       const std::string id = feature.id(), name = feature.name();
       if (!id.empty() && met_ids[id]++ > 0)
         add(Rule::DuplicateId, {faultText("overlays", "Another feature has the same id, %1."), {id}});
@@ -81,9 +83,21 @@ class Checking {
     if (!options_.off.contains(rule)) flaws_.push_back({rule, index_, std::move(why), at_m});
   }
 
+  void checkReadable() {
+    if (shapes().unknown) add(Rule::Unreadable, {fault::GeometryUnknown, {*shapes().unknown}});
+    const JsonValue root = feature().root();
+    for (const auto& object : {std::optional(root), root.member("geometry"), root.member("properties")}) {
+      std::set<std::string> met;
+      if (!object || !object->isObject()) continue;
+      for (const JsonValue& member : object->children()) {
+        if (!met.insert(member.key()).second)
+          return add(Rule::Unreadable, {fault::MemberTwice, {member.key()}});
+      }
+    }
+  }
+
   void checkNumbers() {
-    if (shapes().bad)
-      add(Rule::BadNumber, {faultText("overlays", "This is not a usable coordinate: %1"), {*shapes().bad}});
+    if (shapes().bad) add(Rule::BadNumber, {fault::BadCoordinate, {*shapes().bad}});
     const auto yaw = feature().property("yaw");
     const std::string written = textIn(feature(), "yaw");
     const bool empty =

@@ -28,8 +28,9 @@ enum class Rule {
   DoorWithoutMac,
   BadNumber,
   Unreachable,  // from the chargers, through free cells, around walls and forbidden regions
+  Unreadable,   // no feature, a geometry of an unknown type, or a member that is written twice
 };
-inline constexpr Rule kLastRule = Rule::Unreachable;
+inline constexpr Rule kLastRule = Rule::Unreadable;
 
 /// For scripts, never changes: "duplicate_id".
 std::string_view nameOf(Rule rule);

@@ -65,6 +65,12 @@ Shape partShapeOf(const Feature& feature) {
                                      : feature.shape();
 }
 
+bool isFeature(const Feature& feature) {
+  const JsonValue root = feature.root();
+  const auto type = root.isObject() ? root.member("type") : std::nullopt;
+  return root.kind() == JsonKind::Null || (root.isObject() && (!type || type->string() == "Feature"));
+}
+
 int Feature::type() const {
   const Shape is = partShapeOf(*this);
   const std::string written = textOf(property(is == Shape::Line      ? "lineType"
@@ -111,8 +117,14 @@ tl::expected<OverlayDocument, Fault> OverlayDocument::read(std::string text) {
   if (root.kind() == JsonKind::Null) return taken(*json, std::nullopt);
   const auto list = root.member(kFeatures);
   const bool listed = list && list->isArray();
-  const bool none = root.isObject() && (!list || list->kind() == JsonKind::Null) && !root.member("geometry");
+  const auto holds = [&root](const char* name) { return root.member(name).has_value(); };
+  const bool none = root.isObject() && (!list || list->kind() == JsonKind::Null) && !holds("geometry") &&
+                    !holds("geometries") && !holds("coordinates");
   if (!listed && !none) return tl::make_unexpected(Fault(fault::NoCollection));
+  const auto members = root.children();
+  const auto isList = [](const JsonValue& member) { return member.key() == kFeatures; };
+  if (std::count_if(members.begin(), members.end(), isList) > 1)
+    return tl::make_unexpected(Fault(fault::SeveralLists));
   return taken(*json, listed ? list : std::nullopt);
 }
 

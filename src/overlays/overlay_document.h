@@ -24,6 +24,8 @@ enum class Shape { None, Point, Line, Polygon, Other };
 /// What the parts of its geometry are: Line for a LineString and a MultiLineString, Other for a collection.
 class Feature;
 Shape partShapeOf(const Feature& feature);
+/// Robots leave the type out, and keep nulls in their list.
+bool isFeature(const Feature& feature);
 
 /// One feature, as written.
 class Feature {

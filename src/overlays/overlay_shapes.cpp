@@ -11,6 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kDeepestCollection = 8;  // as far as edits move it
+constexpr std::size_t kMostShown = 60;
 
 class ShapeReading {
  public:
@@ -25,11 +26,18 @@ class ShapeReading {
       for (const JsonValue& part : parts->children()) read(part, depth - 1);
       return;
     }
-    const auto coordinates = geometry.member("coordinates");
-    if (!coordinates) return;
     constexpr std::string_view kMulti = "Multi";
-    if (!type.starts_with(kMulti)) return add(type, *coordinates);
-    for (const JsonValue& part : coordinates->children()) add(type.substr(kMulti.size()), part);
+    const bool multi = type.starts_with(kMulti);
+    const std::string of = multi ? type.substr(kMulti.size()) : type;
+    if (of != "Point" && of != "LineString" && of != "Polygon") {
+      if (!out_.unknown && geometry.kind() != JsonKind::Null)
+        out_.unknown = type.empty() ? std::string(geometry.text().substr(0, kMostShown)) : type;
+      return;
+    }
+    const auto coordinates = geometry.member("coordinates");
+    if (!coordinates) return noteBad(geometry);
+    if (!multi) return add(of, *coordinates);
+    for (const JsonValue& part : coordinates->children()) add(of, part);
   }
 
  private:
@@ -66,9 +74,12 @@ class ShapeReading {
                                             : Vector2d(HUGE_VAL, HUGE_VAL);
     const bool high = numbers.size() > 2 && !(std::abs(numbers[2].number()) <= kFarthestM);
     if (std::abs(at.x()) <= kFarthestM && std::abs(at.y()) <= kFarthestM && !high) return at;
-    constexpr std::size_t kMostShown = 60;
-    if (!out_.bad) out_.bad = std::string(written.text().substr(0, kMostShown));
+    noteBad(written);
     return std::nullopt;
+  }
+
+  void noteBad(const JsonValue& written) {
+    if (!out_.bad) out_.bad = std::string(written.text().substr(0, kMostShown));
   }
 
   Shapes& out_;

@@ -24,7 +24,8 @@ struct Path {
 
 struct Shapes {
   std::vector<Path> paths;
-  std::optional<std::string> bad;  // the first coordinate that cannot be used, as written
+  std::optional<std::string> bad;      // the first coordinate that cannot be used, as written
+  std::optional<std::string> unknown;  // the first type of geometry that is none
 
   std::optional<Eigen::Vector2d> somewhere() const;
 };

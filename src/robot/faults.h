@@ -11,6 +11,9 @@ using namespace mapwright::fault;  // what all rooms share
 /// robot::Capability, robot::Absence::Reason, then its arguments
 inline constexpr FaultCode CapabilityLacking{"robot",
                                              QT_TRANSLATE_NOOP("robot", "The robot does not support that.")};
+/// how many
+inline constexpr FaultCode FeaturesUnreadable{
+    "robot", QT_TRANSLATE_N_NOOP("robot", "%1 features of its overlays cannot be read.")};
 
 // The robot itself.
 /// its words

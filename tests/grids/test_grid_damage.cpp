@@ -268,6 +268,19 @@ class TestGridDamage : public QObject {
     QCOMPARE(int(read.pyramid->at(3, 0)), int('d'));
   }
 
+  void samplesAboveTheMaximumAreSaid() {
+    for (const bool wide : {false, true}) {
+      for (const bool above : {false, true}) {
+        const std::string head = wide ? "P5\n2 2\n1000\n" : "P5\n2 2\n100\n";
+        const std::string most = wide ? std::string("\x03\xe8", 2) : std::string("\x64");
+        const std::string more = wide ? std::string("\x03\xe9", 2) : std::string("\x65");
+        const Read read = readAll(head + most + (above ? more : most) + most + most);
+        QCOMPARE(says(read.reading, "a number exceeds the maximum in the header"), above);
+        QCOMPARE(int(read.pyramid->at(0, 0)), 255);
+      }
+    }
+  }
+
   void whatFollowsAPictureIsIgnored() {
     const Samples samples = test::roomGrays(300, 40);
     const Read read = readAll(test::png({300, 40}, samples) + std::string(5000, 'x'));

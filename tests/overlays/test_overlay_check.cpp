@@ -82,6 +82,20 @@ class OverlayCheckTest : public QObject {
              std::string());
   }
 
+  void whatCannotBeReadIsFound() {
+    QCOMPARE(rulesIn(R"({"type":"FeatureCollection","features":[]},5)"),
+             std::string("unreadable unreadable"));
+    QCOMPARE(rulesIn(shape("Circle", "[1,2]")), std::string("unreadable"));
+    QCOMPARE(rulesIn(R"({"type":"Feature","geometry":{"radius":3}})"), std::string("unreadable"));
+    QCOMPARE(rulesIn(R"({"geometry":{"type":"GeometryCollection","geometries":[{"type":"Arc"}]}})"),
+             std::string("unreadable"));
+    QCOMPARE(rulesIn(R"({"geometry":{"type":"Point"}})"), std::string("bad_number"));
+    // Another program may read the other one.
+    QCOMPARE(rulesIn(R"({"id":"a","properties":{"type":"9","type":"25"}})"), std::string("unreadable"));
+    QCOMPARE(rulesIn(R"({"geometry":null,"geometry":{"type":"Point","coordinates":[1,2]}})"),
+             std::string("unreadable"));
+  }
+
   void idsAndNamesThatOccurTwiceAreFound() {
     QCOMPARE(rulesIn(R"({"id":7},{"id":"7"},{"properties":{"id":7}})"),
              std::string("duplicate_id duplicate_id"));

@@ -67,7 +67,9 @@ class OverlayDocumentTest : public QObject {
 
   void whatIsNoCollectionIsRefused() {
     for (const char* text :
-         {"7", "\"x\"", "true", R"({"features":{}})", "{", R"({"type":"Feature","geometry":null})"})
+         {"7", "\"x\"", "true", R"({"features":{}})", "{", R"({"type":"Feature","geometry":null})",
+          R"({"type":"Point","coordinates":[1,2]})", R"({"type":"GeometryCollection","geometries":[]})",
+          R"({"features":[{"id":1}],"features":[]})"})
       QVERIFY2(!OverlayDocument::read(text), text);
   }
 

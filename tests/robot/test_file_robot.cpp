@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "robot/faults.h"
 #include "robot/files/faults.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/local_maps.h"
@@ -188,6 +189,12 @@ class FileRobotTest : public QObject {
     row("negate: 0\n", "", 0.3, "negate is missing");
     row("negate: 0\nocc", "negate: 0\nmode: raw\nnot_occ", 0.3, "occupied_thresh is missing");
     row("free_thresh: 0.25\n", "", 0.3, "free_thresh is missing");
+    // What others may read differently.
+    row(origin, "[-10, -7.5, 90]", 90, "more than a full turn");
+    row(origin, "[-10, -7.5, 6.28318531]", 6.28318531, "");
+    row("free_thresh: 0.25\n", "free_thresh: 0.25\nresolution: 0.1\n", 0.3, "resolution is written twice");
+    row("free_thresh: 0.25\n", "free_thresh: 0.25\n---\nimage: b.pgm\n", 0.3, "more than one document");
+    row("free_thresh: 0.25\n", "free_thresh: 0.25\n---\n", 0.3, "");
   }
   void whatMapServerRefusesIsReadWithANoteOrRefused() {
     QFETCH(QByteArray, yaml);
@@ -505,6 +512,32 @@ class FileRobotTest : public QObject {
     QCOMPARE(whole->overlays[0].parts[0].size(), std::size_t(2));
     write(QStringLiteral("office.overlays.geojson"), "{");
     QVERIFY(fetch(*robot) && fetch(*robot)->overlays.empty());
+  }
+
+  void overlaysThatCannotBeDrawnAreCounted() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), QByteArray("P5\n2 1\n255\n") + QByteArray(2, char(254)));
+    const QByteArray feature = R"({"type":"Feature","properties":{},"geometry":)";
+    const QByteArray sound = feature + R"({"type":"LineString","coordinates":[[1,2],[3,4]]}})";
+    const QList<QByteArray> broken{feature + R"({"type":"Circle","coordinates":[1,2]}})",
+                                   feature + R"({"type":"LineString","coordinates":[[1,2],["x",4],[5,6]]}})",
+                                   feature + R"({"type":"Polygon","coordinates":[]}})",
+                                   R"({"type":"FeatureCollection","features":[]})", "5"};
+    const auto robot = open(QStringLiteral("office.yaml"));
+    for (qsizetype count = 0; count <= broken.size(); ++count) {
+      QByteArray features = sound + "," + feature + "null},null";  // no place, and what robots keep
+      for (const QByteArray& one : broken.first(count)) features += "," + one;
+      write(QStringLiteral("office.overlays.geojson"),
+            R"({"type":"FeatureCollection","features":[)" + features + "]}");
+      const auto whole = fetch(*robot);
+      QVERIFY(whole);
+      QCOMPARE(qsizetype(whole->broken_overlays.size()), count);
+      QCOMPARE(whole->overlays.size(), std::size_t(count < 2 ? 1 : 2));
+      QCOMPARE(whole->notes.size(), std::size_t(count == 0 ? 0 : 1));
+      if (count == 0) continue;
+      QCOMPARE(whole->notes[0].code, map::ProblemCode::Unreadable);
+      QCOMPARE(whole->notes[0].reason.code, robot::fault::FeaturesUnreadable);
+    }
   }
 
   void overlaysAreOpenedByThemselves() {

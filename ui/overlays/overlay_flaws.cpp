@@ -45,9 +45,11 @@ QString ruleText(Rule rule) {
     case Rule::BadNumber:
       return OverlayFlaws::tr("Unusable numbers");
     case Rule::Unreachable:
+      return OverlayFlaws::tr("Points that the robot cannot reach");
+    case Rule::Unreadable:
       break;
   }
-  return OverlayFlaws::tr("Points that the robot cannot reach");
+  return OverlayFlaws::tr("What cannot be read");
 }
 
 }  // namespace

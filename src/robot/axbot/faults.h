@@ -44,9 +44,6 @@ inline constexpr FaultCode MemberIsNoList{"axbot",
                                           QT_TRANSLATE_NOOP("axbot", "Its \"%1\" member is not a list.")};
 inline constexpr FaultCode GeometryUnreadable{
     "axbot", QT_TRANSLATE_NOOP("axbot", "Its coordinates are missing, too few, or not numbers.")};
-/// how many
-inline constexpr FaultCode FeaturesUnreadable{
-    "axbot", QT_TRANSLATE_N_NOOP("axbot", "%1 features of its overlays cannot be read.")};
 inline constexpr FaultCode PictureAddressInvalid{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The address of its picture is not valid.")};
 /// path; because: why

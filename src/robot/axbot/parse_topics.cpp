@@ -16,6 +16,7 @@
 #include "robot/axbot/parse_clouds.h"
 #include "robot/axbot/parse_maps.h"
 #include "robot/axbot/topic_table.h"
+#include "robot/faults.h"
 #include "robot/wire/picture_bytes.h"
 #include "ros_messages/wrapper.pb.h"
 
@@ -164,8 +165,8 @@ TextFrame readFrameOn(const std::string& on_topic, const Json& root) {
     if (of_the_map) {
       const auto& broken = std::get<map::MapInfo>(*frame.message).broken_overlays;
       if (!broken.empty())
-        frame.left_out =
-            map::UnreadableMessage{frame.topic, {fault::FeaturesUnreadable, {std::int64_t(broken.size())}}};
+        frame.left_out = map::UnreadableMessage{
+            frame.topic, {robot::fault::FeaturesUnreadable, {std::int64_t(broken.size())}}};
     }
     return frame;
   }

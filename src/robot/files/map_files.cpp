@@ -11,6 +11,7 @@
 #include "disk/written_file.h"
 #include "grids/rewrite_picture.h"
 #include "grids/thumbnail.h"
+#include "robot/faults.h"
 #include "robot/files/faults.h"
 #include "robot/files/overlay_file.h"
 #include "robot/files/waypoint_file.h"
@@ -181,7 +182,13 @@ Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
   }
   whole->key = key;
   if (auto overlays = overlaysBeside(path)) {
-    whole->overlays = std::move(*overlays);
+    whole->overlays = std::move(overlays->drawn);
+    whole->broken_overlays = std::move(overlays->broken);
+    if (const auto count = std::int64_t(whole->broken_overlays.size()); count > 0)
+      whole->notes.push_back({map::Severity::Warning,
+                              map::subjectOf(key, whole->name),
+                              {robot::fault::FeaturesUnreadable, {count}},
+                              map::ProblemCode::Unreadable});
   } else {
     whole->notes.push_back({map::Severity::Warning, map::subjectOf(key, whole->name),
                             std::move(overlays.error()).followedBy(Consequence::ShownWithoutIt),

@@ -42,7 +42,7 @@ tl::expected<std::string, Fault> textIn(const QString& path) {
 
 }  // namespace
 
-tl::expected<std::vector<map::OverlayFeature>, Fault> overlaysBeside(const QString& map_path) {
+tl::expected<OverlaysBeside, Fault> overlaysBeside(const QString& map_path) {
   const QString path = overlayPathOfMap(map_path);
   const auto unreadable = [&path](Fault why) {
     return tl::make_unexpected(Fault(fault::WaypointFileNotRead, {path.toStdString()}, {std::move(why)}));
@@ -51,11 +51,12 @@ tl::expected<std::vector<map::OverlayFeature>, Fault> overlaysBeside(const QStri
   if (!text) return unreadable(text.error());
   const auto document = overlays::OverlayDocument::read(std::move(*text));
   if (!document) return unreadable(document.error());
-  std::vector<map::OverlayFeature> drawn;
+  OverlaysBeside beside;
   for (const overlays::Feature& feature : document->features()) {
-    for (map::OverlayFeature& part : overlays::partsToDraw(feature)) drawn.push_back(std::move(part));
+    for (map::OverlayFeature& part : overlays::partsToDraw(feature)) beside.drawn.push_back(std::move(part));
+    if (auto broken = overlays::notDrawn(feature)) beside.broken.push_back(std::move(*broken));
   }
-  return drawn;
+  return beside;
 }
 
 OverlayFiles::OverlayFiles(FileOptions options) : options_(std::move(options)) {}

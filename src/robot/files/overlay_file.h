@@ -17,8 +17,12 @@ inline constexpr std::size_t kMaxOverlayBytes = std::size_t(256) << 20;
 /// a GeoJSON file is its own.
 QString overlayPathOf(const QString& map_path);
 
+struct OverlaysBeside {
+  std::vector<map::OverlayFeature> drawn;
+  std::vector<map::BrokenOverlay> broken;  // which cannot be drawn, or not all of which
+};
 /// As the map draws them; none where there is no such file. The error names the file that cannot be read.
-tl::expected<std::vector<map::OverlayFeature>, Fault> overlaysBeside(const QString& map_path);
+tl::expected<OverlaysBeside, Fault> overlaysBeside(const QString& map_path);
 
 /// Reads and writes them. Lives on the thread of the map files.
 class OverlayFiles : public QObject {

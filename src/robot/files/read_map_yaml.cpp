@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <optional>
 #include <sys/stat.h>
 
@@ -88,6 +89,10 @@ std::optional<Fault> readOrigin(const YAML::Node& node, MapYaml& yaml) {
         {faultText("files", "Its origin has %1 numbers, but map_server takes three. They were read as %2."),
          {std::int64_t(numbers.size()), std::string(read_as)}});
   }
+  constexpr double kFullTurn = 6.2832;  // as it is rounded
+  if (std::abs(yaw) > kFullTurn)
+    yaml.notes.push_back(faultText(
+        "files", "The yaw of its origin is more than a full turn. It is read as radians, not degrees."));
   yaml.grid.origin = {numbers[0], numbers[1], yaw};
   return std::nullopt;
 }
@@ -174,6 +179,16 @@ std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
   return std::nullopt;
 }
 
+/// Programs disagree about which of them counts.
+void noteTwice(const YAML::Node& root, MapYaml& yaml) {
+  std::map<std::string, int> met;
+  for (const auto& member : root) {
+    if (member.first.IsScalar() && ++met[member.first.Scalar()] == 2)
+      yaml.notes.push_back({faultText("files", "%1 is written twice. The first one counts."),
+                            {member.first.Scalar().substr(0, 80)}});
+  }
+}
+
 constexpr std::size_t kMostKept = 20'000;
 constexpr std::int64_t kCoarsestTimeNs = 2'000'000'000;  // FAT
 
@@ -193,6 +208,10 @@ tl::expected<MapYaml, Fault> parseMapYaml(const std::string& text) {
     if (!root.IsMap())
       return refused(faultText("files", "It is not a map.yaml: image, resolution and origin are missing."));
     if (auto why = readAll(root, yaml)) return refused(std::move(*why));
+    noteTwice(root, yaml);
+    if (document->next)
+      yaml.notes.push_back(
+          faultText("files", "It holds more than one document. Only the first one is read."));
   } catch (const YAML::Exception& broken) {
     return refused({fault::YamlBroken, {broken.mark.line + 1}});
   }
