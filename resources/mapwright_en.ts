@@ -501,6 +501,13 @@
 </context>
 <context>
     <name>files</name>
+    <message numerus="yes">
+        <source>%1 features are not points that can be read. They are not shown.</source>
+        <translation>
+            <numerusform>%1 feature is not a point that can be read. It is not shown.</numerusform>
+            <numerusform>%1 features are not points that can be read. They are not shown.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>grids</name>

@@ -9778,6 +9778,10 @@ Do you want to delete it anyway?</source>
         <source>It is not JSON (%1, byte %2).</source>
         <translation>它不是 JSON（%1，第 %2 字节）。</translation>
     </message>
+    <message>
+        <source>A &quot;%1&quot; is written twice. Remove one of them.</source>
+        <translation>“%1”写了两次。请移除其中一个。</translation>
+    </message>
 </context>
 <context>
     <name>WaypointPlan</name>
@@ -10898,6 +10902,12 @@ Do you want to delete it anyway?</source>
         <source>it has two lists of features</source>
         <translation>它有两个要素列表</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 features are not points that can be read. They are not shown.</source>
+        <translation>
+            <numerusform>%1 个要素不是可以读取的点，未显示。</numerusform>
+        </translation>
+    </message>
     <message>
         <source>The yaw of its origin is more than a full turn. It is read as radians, not degrees.</source>
         <translation>其原点的朝向超过一整圈。它按弧度而不是度读取。</translation>
@@ -10909,6 +10919,18 @@ Do you want to delete it anyway?</source>
     <message>
         <source>It holds more than one document. Only the first one is read.</source>
         <translation>它包含多个文档，只读取第一个。</translation>
+    </message>
+    <message>
+        <source>The frame of waypoint %1 is not the map. It is shown as if it were.</source>
+        <translation>路径点 %1 的坐标系不是地图，仍按地图显示。</translation>
+    </message>
+    <message>
+        <source>The tags of waypoint %1 are not a list of texts. What is no text is not shown.</source>
+        <translation>路径点 %1 的标签不是文本列表，非文本的部分未显示。</translation>
+    </message>
+    <message>
+        <source>Its coordinates (crs %1) are read as metres of the map.</source>
+        <translation>其坐标 (crs %1) 按地图的米读取。</translation>
     </message>
 </context>
 <context>

@@ -63,6 +63,7 @@ WantedFile wantedFromFile(std::string_view bytes, WaypointFormat format, AngleUn
     const QJsonValue type = root.value(QLatin1String("type"));
     const bool geo = root.contains(QLatin1String("features")) || root.contains(QLatin1String("geometry")) ||
                      root.contains(QLatin1String("geometries")) ||
+                     (type.isString() && root.contains(QLatin1String("coordinates"))) ||
                      type.toString() == QLatin1String("FeatureCollection");
     if (geo) return wantedFromGeoJson(root, angles);
     const FileValue whole =

@@ -1,11 +1,14 @@
 #include "exchange/waypoint_json.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <QCoreApplication>
 #include <QRegularExpression>
 
 #include "exchange/waypoint_reading.h"
+#include "json/json_text.h"
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -35,6 +38,16 @@ std::optional<Eigen::Vector2d> placeOf(const QJsonValue& x, const QJsonValue& y)
   if (!x.isDouble() || !y.isDouble()) return std::nullopt;
   const Eigen::Vector2d place(x.toDouble(), y.toDouble());
   return place.allFinite() ? std::optional(place) : std::nullopt;
+}
+
+/// The first name that an object in it has twice.
+std::optional<std::string> nameTwiceIn(const json::JsonValue& value) {
+  std::set<std::string> met;
+  for (const json::JsonValue& child : value.children()) {
+    if (value.isObject() && !met.insert(child.key()).second) return child.key();
+    if (auto deeper = nameTwiceIn(child)) return deeper;
+  }
+  return std::nullopt;
 }
 
 /// How a coordinate system is called: as GeoJSON of 2008 had it, or as a text. Empty = it is not said.
@@ -139,8 +152,11 @@ class GeoJsonReading {
         entry.members.push_back(member);
       }
     }
-    if (const QJsonValue id = feature.value(QLatin1String("id")); !has_id && isThere(id))
+    if (const QJsonValue id = feature.value(QLatin1String("id")); !has_id && isThere(id)) {
       entry.members.emplace_back("id", fromJson(id));
+    } else if (has_id && isThere(id) && !isSameId(id, properties)) {
+      reading_.leaveOut("id");
+    }
     entry.members.emplace_back("x", FileValue::ofNumber(at_m->x()));
     entry.members.emplace_back("y", FileValue::ofNumber(at_m->y()));
     if (coordinates.size() > 2) entry.members.emplace_back("z", fromJson(coordinates.at(2)));
@@ -160,6 +176,13 @@ class GeoJsonReading {
     lowest_ = lowest_.cwiseMin(*at_m);
     highest_ = highest_.cwiseMax(*at_m);
     return {};
+  }
+
+  static bool isSameId(const QJsonValue& id, const FileValue& properties) {
+    const auto said = idOf(id);
+    return std::any_of(properties.members.begin(), properties.members.end(), [&](const auto& member) {
+      return meaningOf(member.first) == FieldMeaning::Id && said == member.second.text;
+    });
   }
 
   /// Farther from the origin than from each other, and all within the range of degrees: 0.05 degrees are 5
@@ -328,6 +351,12 @@ tl::expected<QJsonDocument, QString> jsonOf(std::string_view bytes) {
   if (error.error != QJsonParseError::NoError)
     return wrong(
         WaypointJsonText::tr("It is not JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+  // Programs disagree about which of them counts.
+  if (const auto json = json::JsonText::read(std::string(bytes))) {
+    if (const auto twice = nameTwiceIn(json->root()))
+      return wrong(WaypointJsonText::tr("A \"%1\" is written twice. Remove one of them.")
+                       .arg(words::plainName(text(*twice))));
+  }
   return document;
 }
 

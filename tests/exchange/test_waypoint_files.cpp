@@ -169,6 +169,40 @@ class TestWaypointFiles : public QObject {
       QVERIFY2(saidOf(list).contains(QLatin1String(word)), word);
   }
 
+  void membersThatAreWrittenTwiceAreRefused() {
+    const char* const head =
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": )";
+    const char* const tail = R"(, "geometry": {"type": "Point", "coordinates": [1, 2]}}])";
+    const auto wanted = [&](const std::string& properties, const std::string& more) {
+      return wantedFromFile(head + properties + tail + more + "}", WaypointFormat::Json, AngleUnit::Guess);
+    };
+    QVERIFY(wanted(R"({"name": "A", "x": {"name": 1}})", ""));
+    for (const auto& twice :
+         {wanted(R"({"name": "A", "name": "B"})", ""), wanted(R"({"name": "A"})", R"(, "features": [])"),
+          wantedFromFile(R"([{"name": "A", "x": 1, "y": 2, "x": 3}])", WaypointFormat::Json,
+                         AngleUnit::Guess)}) {
+      QVERIFY(!twice);
+      QVERIFY2(twice.error().contains(QLatin1String("twice")), qPrintable(twice.error()));
+    }
+  }
+
+  void ofTwoIdsTheOneThatIsLeftOutIsNamed() {
+    for (const char* id : {"7", "8"}) {
+      const WantedList list = read(
+          R"({"type": "FeatureCollection", "features": [{"type": "Feature", "id": 7, "properties": {"frame": "map", "id": ")" +
+          std::string(id) + R"("}, "geometry": {"type": "Point", "coordinates": [1, 2]}}]})");
+      QCOMPARE(list.points.front().id, std::string(id));
+      QCOMPARE(saidOf(list).contains(QLatin1String("left out"), Qt::CaseInsensitive), *id == '8');
+    }
+  }
+
+  void aGeometryAloneIsNoList() {
+    const WantedFile wanted =
+        wantedFromFile(R"({"type": "Point", "coordinates": [1, 2]})", WaypointFormat::Json, AngleUnit::Guess);
+    QVERIFY(!wanted);
+    QVERIFY2(wanted.error().contains(QLatin1String("FeatureCollection")), qPrintable(wanted.error()));
+  }
+
   void nodesOfARouteGraphAreRead() {
     const WantedList list = read(
         R"({"type": "FeatureCollection", "name": "graph", "crs": {"type": "name", "properties": {"name": )"

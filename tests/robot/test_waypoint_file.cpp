@@ -216,6 +216,41 @@ class TestWaypointFile : public QObject {
             written->find("\"id\": 5") != std::string::npos);
   }
 
+  void whatIsNotShownOrAssumedIsNoted_data() {
+    QTest::addColumn<QByteArray>("more");  // of the collection
+    QTest::addColumn<QByteArray>("geometry");
+    QTest::addColumn<QByteArray>("properties");
+    QTest::addColumn<int>("notes");
+    const QByteArray point = R"({"type":"Point","coordinates":[1,2]})";
+    QTest::newRow("sound") << QByteArray() << point << QByteArray(R"({"tags":["a"],"frame":"map"})") << 0;
+    QTest::newRow("no tags") << QByteArray() << point << QByteArray(R"({"tags":null})") << 0;
+    QTest::newRow("a line") << QByteArray()
+                            << QByteArray(R"({"type":"LineString","coordinates":[[1,2],[3,4]]})")
+                            << QByteArray("{}") << 0;
+    QTest::newRow("no place") << QByteArray() << QByteArray("null") << QByteArray("{}") << 0;
+    QTest::newRow("tags that are a text") << QByteArray() << point << QByteArray(R"({"tags":"a,b"})") << 1;
+    QTest::newRow("tags that are numbers") << QByteArray() << point << QByteArray(R"({"tags":["a",3]})") << 1;
+    QTest::newRow("another frame") << QByteArray() << point << QByteArray(R"({"frame":"odom"})") << 1;
+    QTest::newRow("another system") << QByteArray(R"("crs":"EPSG:25832",)") << point << QByteArray("{}") << 1;
+    QTest::newRow("many points") << QByteArray()
+                                 << QByteArray(R"({"type":"MultiPoint","coordinates":[[1,2]]})")
+                                 << QByteArray("{}") << 1;
+    QTest::newRow("no numbers") << QByteArray() << QByteArray(R"({"type":"Point","coordinates":["1","2"]})")
+                                << QByteArray("{}") << 1;
+  }
+  void whatIsNotShownOrAssumedIsNoted() {
+    QFETCH(const QByteArray, more);
+    QFETCH(const QByteArray, geometry);
+    QFETCH(const QByteArray, properties);
+    QFETCH(const int, notes);
+    const auto stored = parseWaypoints((R"({"type":"FeatureCollection",)" + more +
+                                        R"("features":[{"type":"Feature","geometry":)" + geometry +
+                                        R"(,"properties":)" + properties + "}]}")
+                                           .toStdString());
+    QVERIFY(stored);
+    QCOMPARE(int(stored->notes.size()), notes);
+  }
+
   void ofTwoMembersOfOneNameTheOneThatIsReadIsChanged() {
     const std::string json =
         R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"Point","coordinates":[0,0]},"geometry":{"type":"LineString","coordinates":[[5,5],[6,6]]},"properties":{"id":"x"}}]})";

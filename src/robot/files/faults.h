@@ -36,6 +36,10 @@ inline constexpr FaultCode FileTooLarge{"files", QT_TRANSLATE_NOOP("files", "it 
 inline constexpr FaultCode FileEmpty{"files", QT_TRANSLATE_NOOP("files", "it is empty")};
 inline constexpr FaultCode NotAFeatureCollection{
     "files", QT_TRANSLATE_NOOP("files", "it is not a GeoJSON FeatureCollection")};
+/// how many
+inline constexpr FaultCode WaypointsUnread{
+    "files",
+    QT_TRANSLATE_N_NOOP("files", "%1 features are not points that can be read. They are not shown.")};
 /// property
 inline constexpr FaultCode WaypointHeadingUnread{
     "files", QT_TRANSLATE_NOOP("files",

@@ -169,19 +169,41 @@ std::optional<Understood> understand(const element& feature) {
       read.odd.push_back(
           faultText("files", "The yaw_rad of waypoint %1 is not a number. It is shown without a heading."));
   }
+  if (const std::string frame = textOr(properties["frame"]); !frame.empty() && frame != "map")
+    read.odd.push_back(
+        faultText("files", "The frame of waypoint %1 is not the map. It is shown as if it were."));
   if (!read.point.yaw_rad) {
     for (const char* other : {"yaw", "yaw_deg", "heading", "theta", "orientation"}) {
       if (properties[other].get(yaw) == simdjson::SUCCESS && !yaw.is_null()) read.unread_heading = other;
     }
   }
-  simdjson::dom::array tags;
-  if (properties["tags"].get(tags) == simdjson::SUCCESS) {
-    for (const element& tag : tags) {
+  element tags;
+  simdjson::dom::array list;
+  if (properties["tags"].get(tags) != simdjson::SUCCESS || tags.is_null()) return read;
+  const bool listed = tags.get(list) == simdjson::SUCCESS;
+  bool all = listed;
+  if (listed) {
+    for (const element& tag : list) {
       std::string_view text;
-      if (tag.get(text) == simdjson::SUCCESS) read.point.tags.emplace_back(text);
+      if (tag.get(text) == simdjson::SUCCESS) {
+        read.point.tags.emplace_back(text);
+      } else {
+        all = false;
+      }
     }
   }
+  if (!all)
+    read.odd.push_back(
+        faultText("files", "The tags of waypoint %1 are not a list of texts. What is no text is not shown."));
   return read;
+}
+
+/// Lines and outlines may be kept among them; other programs may know what has no place.
+bool mayBePoint(const element& feature) {
+  element geometry;
+  if (feature["geometry"].get(geometry) == simdjson::SUCCESS && geometry.is_null()) return false;
+  const std::string type = textOr(feature["geometry"]["type"]);
+  return !feature.is_null() && !type.ends_with("LineString") && !type.ends_with("Polygon");
 }
 
 /// Gives every feature a unique id.
@@ -209,15 +231,16 @@ std::string_view withoutMark(std::string_view json) {
   return json.starts_with("\xef\xbb\xbf") ? json.substr(3) : json;
 }
 
-/// The coordinate system of GeoJSON of 2008, if that is longitude and latitude; else empty.
-std::string systemInDegrees(const element& file) {
+/// The coordinate system of GeoJSON of 2008; else empty.
+std::string systemOf(const element& file) {
   element crs;
   if (file["crs"].get(crs) != simdjson::SUCCESS) return {};
-  std::string name = textOr(crs["properties"]["name"]);
-  if (name.empty()) name = textOr(file["crs"]);
-  const bool in_degrees =
-      name.find("CRS84") != name.npos || name.ends_with(":4326") || name.ends_with("/4326");
-  return in_degrees ? name : std::string();
+  const std::string name = textOr(crs["properties"]["name"]);
+  return name.empty() ? textOr(file["crs"]) : name;
+}
+
+bool isInDegrees(const std::string& system) {
+  return system.find("CRS84") != system.npos || system.ends_with(":4326") || system.ends_with("/4326");
 }
 
 tl::expected<Collection, Fault> cut(std::string_view json) {
@@ -233,7 +256,7 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
       file["features"].get(features) != simdjson::SUCCESS) {
     return refused(fault::NotAFeatureCollection);
   }
-  if (const std::string system = systemInDegrees(file); !system.empty())
+  if (const std::string system = systemOf(file); isInDegrees(system))
     return refused(
         {faultText("files",
                    "its coordinates are longitude and latitude (crs %1), not metres of the map. If "
@@ -248,8 +271,12 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
     collection.features = Cutter(member.raw_value).elements();
   }
   if (lists != 1) return refused(faultText("files", "it has more than one list of features"));
+  if (const std::string system = systemOf(file); !system.empty() && system != "map")
+    collection.notes.push_back({faultText("files", "Its coordinates (crs %1) are read as metres of the map."),
+                                {system.substr(0, 80)}});
   Names names;
   std::size_t points = 0;
+  std::int64_t unread_points = 0;
   for (const element& feature : features) {
     auto read = understand(feature);
     if (read) {
@@ -267,9 +294,12 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
           std::find(collection.notes.begin(), collection.notes.end(), unread) != collection.notes.end();
       if (!read->unread_heading.empty() && !said) collection.notes.push_back(unread);
       for (const FaultCode odd : read->odd) collection.notes.push_back({odd, {id.substr(0, 80)}});
+    } else if (mayBePoint(feature)) {
+      ++unread_points;
     }
     collection.understood.push_back(std::move(read));
   }
+  if (unread_points > 0) collection.notes.push_back({fault::WaypointsUnread, {unread_points}});
   if (collection.understood.size() != collection.features.size())
     return refused(faultText("files", "it has two lists of features"));
   for (std::size_t i = 0; i < collection.features.size(); ++i) {
