@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "ui/reporting/report_job.h"
+#include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -109,7 +110,7 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
     printLine(oneLine(line));
   }
   if (!report.run.remarks.isEmpty())
-    return tl::make_unexpected(CommandFailure{kIncomplete, report.run.remarks.first()});
+    return tl::make_unexpected(CommandFailure{kIncomplete, words::paragraph(report.run.remarks)});
   return kDone;
 }
 

@@ -18,6 +18,7 @@
 #include "app/commands.h"
 #include "app/live_robot.h"
 #include "app/output.h"
+#include "app/report.h"
 #include "net/rosbridge/frame.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
@@ -84,7 +85,14 @@ class TopicsRun {
   }
 
   CommandResult<int> list() {
-    if (auto failure = connect({})) return tl::make_unexpected(*failure);
+    QStringList lost;  // of a recording, and topics with it
+    QObject::connect(&robot_, &robot::Robot::problemFound, &context_, [&lost](const map::Problem& problem) {
+      if (problem.subject.kind == map::SubjectKind::Bag && problem.severity >= map::Severity::Warning)
+        lost << problemLine(problem);
+    });
+    auto failure = connect({});
+    QObject::disconnect(&robot_, nullptr, &context_, nullptr);
+    if (failure) return tl::make_unexpected(*failure);
     auto told = offers_ ? offers_->offered() : std::nullopt;
     const bool all = told.has_value();
     if (!told) {
@@ -94,7 +102,8 @@ class TopicsRun {
     std::sort(told->begin(), told->end(),
               [](const OfferedTopic& a, const OfferedTopic& b) { return a.name < b.name; });
     print(*told);
-    if (all) return kDone;
+    for (const QString& sentence : lost) say(sentence);
+    if (all) return lost.isEmpty() ? kDone : kIncomplete;
     say(offers_
             ? Text::tr("The robot does not list its topics (its node rosapi is not running): these "
                        "are the usual ones.")

@@ -168,6 +168,31 @@ class BagsCommandTest : public QObject {
     QVERIFY(!told.contains(QStringLiteral("waypoints")));
   }
 
+  /// Topics may be lost with the rest.
+  void topicsOfADamagedFileAreNotComplete() {
+    const QString path = recording();
+    const QStringList line{QStringLiteral("topics"), QStringLiteral("list"), QStringLiteral("--robot"), path};
+    QCOMPARE(program_.runForBytes(line).code, 0);
+    QFile file(path);
+    QVERIFY(file.resize(file.size() / 2));
+    const auto cut = program_.runForBytes(line);
+    QVERIFY2(cut.code == 1 && cut.err.contains("Its end is missing"), cut.err.constData());
+    QVERIFY(cut.out.contains("/tracked_pose"));
+  }
+
+  void aReportSaysAllThatIsLostAndOnlyThat() {
+    const QString path = recording();
+    const QString report = QStringLiteral("report -o lost.html --at %1 %2").arg(at(5), path);
+    QFile file(path);
+    QVERIFY(file.resize(file.size() - 8));  // of the index, without which everything is still there
+    const Outcome whole = run(report);
+    QVERIFY2(whole.code == 0 && whole.err.isEmpty(), whole.err.constData());
+    QVERIFY(file.resize(file.size() / 2));
+    const Outcome cut = run(report);
+    QVERIFY2(cut.code == 1 && cut.err.contains("Its end is missing") && cut.err.contains("cut off at byte"),
+             cut.err.constData());
+  }
+
   void aRecordingWithoutItsEndIsToldAsInterrupted_data() {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("file");

@@ -278,7 +278,8 @@ void Gathering::onState() {
                         .arg(counts.listed - counts.shown)
                         .arg(counts.listed);
   for (const session::LoggedProblem& row : session_.problems().rows()) {
-    if (!row.resolved && row.problem.subject.kind == map::SubjectKind::Bag)
+    if (!row.resolved && row.problem.subject.kind == map::SubjectKind::Bag &&
+        row.problem.severity >= map::Severity::Warning)
       run_.remarks << sentences::sentenceOf(row.problem);
   }
   // What is lost up to the moment is among them.
