@@ -1055,6 +1055,20 @@
             <numerusform>%1 messages that it counts are not in it.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>A message has %1 bytes more than its definition describes: the definition may be another one. They are not shown.</source>
+        <translation>
+            <numerusform>A message has %1 byte more than its definition describes: the definition may be another one. It is not shown.</numerusform>
+            <numerusform>A message has %1 bytes more than its definition describes: the definition may be another one. They are not shown.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 files of it are not played: it has too many.</source>
+        <translation>
+            <numerusform>%1 file of it is not played: it has too many.</numerusform>
+            <numerusform>%1 files of it are not played: it has too many.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>robot</name>
@@ -1094,6 +1108,13 @@
         <translation>
             <numerusform>The robot accepted the picture, but shows %1 cell differently. Compare the two.</numerusform>
             <numerusform>The robot accepted the picture, but shows %1 cells differently. Compare the two.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 markers are left out or cut: they cannot be read, or there are too many.</source>
+        <translation>
+            <numerusform>%1 marker is left out or cut: it cannot be read, or there are too many.</numerusform>
+            <numerusform>%1 markers are left out or cut: they cannot be read, or there are too many.</numerusform>
         </translation>
     </message>
 </context>

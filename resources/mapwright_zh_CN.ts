@@ -23370,6 +23370,18 @@ Theirs: %6</source>
             <numerusform>其自身计数中有 %1 条消息实际不在其中。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>A message has %1 bytes more than its definition describes: the definition may be another one. They are not shown.</source>
+        <translation>
+            <numerusform>有一条消息比其定义多 %1 字节：定义可能不是它的。这些字节未显示。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 files of it are not played: it has too many.</source>
+        <translation>
+            <numerusform>其中 %1 个文件未播放：文件太多。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>render</name>
@@ -23691,6 +23703,12 @@ Theirs: %6</source>
     <message>
         <source>a WebSocket opens there, but nothing answers the requests of rosbridge</source>
         <translation>那里可以打开 WebSocket，但没有应答 rosbridge 的请求</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 markers are left out or cut: they cannot be read, or there are too many.</source>
+        <translation>
+            <numerusform>%1 个标记被略去或截短：无法读取，或者数量太多。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

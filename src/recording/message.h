@@ -85,6 +85,7 @@ enum class NoteCode : std::uint8_t {
   MessagesMissing,    // `count` messages that it counts itself are not in it
   TableDamaged,  // a database whose table of messages cannot be read to its end; `count` messages were read
   FileMissing,   // a recording of several files lacks one, or one that cannot be read: `name`
+  FilesLeftOut,  // `count` more files of such a recording than can be open at a time
   Unpacked,      // it was compressed as a whole (`name`: how), and has `count` bytes
 };
 

@@ -24,6 +24,7 @@ std::optional<std::string> rosbagFolderAt(const std::string& path);
 struct RosbagFolder {
   std::vector<std::string> files;  // in their order; only names, which lie in the folder
   std::uint64_t messages = 0;      // in all of them; 0: not said
+  std::uint64_t left_out = 0;      // files that are too many
 };
 RosbagFolder rosbagFolder(const std::string& folder);
 

@@ -247,8 +247,9 @@ RosbagFolder rosbagFolder(const std::string& folder) {
     for (const YAML::Node& path : paths) {
       // Older releases wrote the folder, too; nothing outside of it is read.
       const std::string name = path.IsScalar() ? withoutFolders(path.Scalar()) : std::string();
-      if (name.empty() || name == "." || name == ".." || files.size() >= kMostFiles) continue;
-      if (std::find(files.begin(), files.end(), name) == files.end()) files.push_back(name);
+      if (name.empty() || name == "." || name == "..") continue;
+      if (std::find(files.begin(), files.end(), name) != files.end()) continue;
+      files.size() < kMostFiles ? files.push_back(name) : void(++said.left_out);
     }
   } catch (const YAML::Exception&) {
     files.clear();

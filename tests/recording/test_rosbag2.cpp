@@ -237,6 +237,19 @@ class Rosbag2Test : public QObject {
     QVERIFY(!opened(folder));
   }
 
+  void filesThatAreTooManyAreNoted() {
+    const QString folder = freshFolder();
+    writeDb3(folder + QStringLiteral("/a.db3"), 3, someMessages(3, 1000, 10));
+    std::vector<std::string> names{"a.db3"};
+    for (int i = 0; i < 1002; ++i) names.push_back("part_" + std::to_string(i) + ".db3");
+    writeMetadata(folder, names);
+    const Opened file = opened(folder);
+    QVERIFY(file);
+    const std::vector<Note> notes = (*file)->summary().notes;
+    QCOMPARE(notes.back().code, NoteCode::FilesLeftOut);
+    QCOMPARE(notes.back().count, std::uint64_t(3));
+  }
+
   /// As if the .db3 were copied without the -wal beside it.
   void messagesThatTheFolderCountsButAreMissingAreNoted() {
     const QString folder = freshFolder();

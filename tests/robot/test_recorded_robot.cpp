@@ -20,6 +20,7 @@
 #include "replay/replay_robot.h"
 #include "replay/track.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/recorded/faults.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/ros/faults.h"
 #include "ros_messages/slam.pb.h"
@@ -501,6 +502,47 @@ class RecordedRobotTest : public QObject {
       QCOMPARE(problems[0].severity, programs ? map::Severity::Warning : map::Severity::Info);
       if (programs) QCOMPARE(problems[0].code, map::ProblemCode::Unreadable);
     }
+  }
+
+  void bytesBeyondTheDefinitionAreSaid_data() {
+    QTest::addColumn<bool>("ros1");
+    QTest::addColumn<int>("more");  // bytes
+    QTest::addColumn<int>("said");
+    QTest::newRow("ROS 1, exact") << true << 0 << 0;
+    QTest::newRow("ROS 1, longer") << true << 1 << 1;
+    QTest::newRow("CDR, exact") << false << 0 << 0;
+    QTest::newRow("CDR, padded") << false << 7 << 0;
+    QTest::newRow("CDR, longer") << false << 8 << 1;
+  }
+  void bytesBeyondTheDefinitionAreSaid() {
+    QFETCH(const bool, ros1);
+    QFETCH(const int, more);
+    QFETCH(const int, said);
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    recording::Channel channel;
+    channel.topic = "/a";
+    channel.message_encoding = ros1 ? "ros1" : "cdr";
+    channel.schema_name = ros1 ? "std_msgs/Bool" : "std_msgs/msg/Bool";
+    channel.schema_encoding = ros1 ? "ros1msg" : "ros2msg";
+    channel.schema_data = "bool data";
+    const std::string message =
+        (ros1 ? std::string("\1") : std::string("\0\1\0\0\1", 5)) + std::string(std::size_t(more), '\0');
+    for (const std::int64_t at_ns : {10, 20})
+      writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(message));
+    writer->close();
+    const QString path = written(*bytes);
+    const auto robot = opened(path);
+    std::vector<map::Problem> problems;
+    connect(robot.get(), &Robot::problemFound, robot.get(),
+            [&](const map::Problem& problem) { problems.push_back(problem); });
+    const auto chunk = forPrograms(*robot, keyOf(path));
+    QVERIFY(chunk && (*chunk)->messages.size() == 2);
+    QVERIFY(jsonOf(**chunk, (*chunk)->messages[0])[QLatin1String("msg")].isObject());
+    if (said > 0) QVERIFY(waitFor([&] { return !problems.empty(); }));
+    QCoreApplication::processEvents();
+    QCOMPARE(int(problems.size()), said);
+    if (said > 0) QCOMPARE(problems[0].reason.code, recorded::fault::RosMessageLonger);
   }
 
   void manyChannelsAreNoMoreWorkThanTheirMessages() {

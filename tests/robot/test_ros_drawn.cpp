@@ -221,6 +221,21 @@ class RosDrawnTest : public QObject {
     QVERIFY(isAt(world.seenObjects().drawings[0].points[0], 1, 2));
   }
 
+  void markersThatAreLeftOutOrCutAreCounted() {
+    RosWorld world;
+    const QByteArray sound =
+        R"({"id":1,"type":1,"ns":"a","action":0,"scale":{"x":1,"y":1,"z":1},)" + header();
+    const auto results =
+        world.add({Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true},
+                  byJson(R"({"markers":[)" + sound + R"(,"pose":)" + pose(1, 2) + "}," + sound +
+                         R"(,"pose":{"position":{"x":null,"y":"?"}}},)" +  // nowhere
+                         sound + R"(,"pose":)" + pose(1, 2) + R"(,"points":[{"x":1,"y":2},{"x":"NaN"}]}]})")
+                      .msg,
+                  kNow);
+    QCOMPARE(results.back().notes.size(), std::size_t(1));
+    QCOMPARE(results.back().notes[0], Fault(robot::ros::fault::RosMarkersLeftOut, {std::int64_t(2)}));
+  }
+
   void trianglesAreFilled() {
     RosWorld world;
     world.add({Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true},

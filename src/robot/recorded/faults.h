@@ -84,6 +84,9 @@ inline constexpr FaultCode RecordingMessagesUntimed{
 inline constexpr FaultCode RecordingMessagesMissing{
     "recorded", QT_TRANSLATE_N_NOOP("recorded", "%1 messages that it counts are not in it.")};
 /// how many
+inline constexpr FaultCode RecordingFilesLeftOut{
+    "recorded", QT_TRANSLATE_N_NOOP("recorded", "%1 files of it are not played: it has too many.")};
+/// how many
 inline constexpr FaultCode RecordingTableDamaged{
     "recorded",
     QT_TRANSLATE_N_NOOP("recorded", "It is damaged: after %1 messages no more of it can be read.")};
@@ -92,6 +95,11 @@ inline constexpr FaultCode RecordingTableDamaged{
 /// type
 inline constexpr FaultCode RosSchemaMissing{
     "recorded", QT_TRANSLATE_NOOP("recorded", "The recording does not define the message type %1.")};
+/// bytes
+inline constexpr FaultCode RosMessageLonger{
+    "recorded", QT_TRANSLATE_N_NOOP("recorded",
+                                    "A message has %1 bytes more than its definition describes: the "
+                                    "definition may be another one. They are not shown.")};
 /// encoding of the message, of its schema
 inline constexpr FaultCode RosEncodingUnknown{
     "recorded",

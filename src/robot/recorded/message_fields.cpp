@@ -124,6 +124,7 @@ tl::expected<FramePtr, Fault> MessageFields::read(const recording::Message& mess
 }
 
 tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message& message) {
+  beyond_ = 0;
   if (message.channel->message_encoding == "protobuf") {
     const auto& schema = schemaOf(protobuf_schemas_, message.channel, ProtobufSchema::of);
     if (!schema) return tl::unexpected(schema.error());
@@ -147,8 +148,11 @@ tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message
   if (message.channel->schema_data.empty() && schema->types.front().fields.empty() &&
       message.bytes.size() > bytesOfNothing(*wire))
     return tl::unexpected(missing(*message.channel));
-  const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes);
+  constexpr std::size_t kMostPadding = 7;  // of CDR
+  std::size_t left = 0;
+  const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes, &left);
   if (!cbor) return tl::unexpected(reasonOf(cbor.error(), encoding));
+  if (wire == recording::RosWire::Ros1 || left > kMostPadding) beyond_ = left;
   return frameOf(*cbor, Frame::Wire::Binary);
 }
 

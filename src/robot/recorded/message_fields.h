@@ -39,6 +39,8 @@ class MessageFields {
   tl::expected<FramePtr, Fault> readAsItIs(const recording::Message& message);
   /// Those that no layer uses. The error says that the encoding is not known, or why the message is not one.
   tl::expected<FramePtr, Fault> readOther(const recording::Message& message);
+  /// Bytes that the message read last has beyond what its definition describes, without padding.
+  std::size_t beyond() const { return beyond_; }
 
  private:
   /// What was made of the definition of a channel; a channel of the same id may be another one later.
@@ -51,6 +53,7 @@ class MessageFields {
   using KnownSchemas = std::unordered_map<std::uint32_t, Known<Schema>>;  // by channel id
   KnownSchemas<recording::RosSchema> ros_schemas_;
   KnownSchemas<ProtobufSchema> protobuf_schemas_;
+  std::size_t beyond_ = 0;
 };
 
 /// A text as JSON.

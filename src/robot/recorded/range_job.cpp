@@ -9,6 +9,7 @@
 #include "recorder/layout.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/recorded/faults.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -205,8 +206,8 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told) {
   for (ros::WorldResult& result : results) {
     const bool within = takes(result.received_s);
     if (within && result.unplaced) addProblem(result.topic, map::ProblemCode::Unplaced, *result.unplaced);
-    if (within && !result.notes.empty())
-      addProblem(result.topic, map::ProblemCode::Odd, result.notes.front());
+    for (const Fault& note : within ? result.notes : std::vector<Fault>())
+      addProblem(result.topic, map::ProblemCode::Odd, note);
     const bool own = told != nullptr && result.topic == told->message.topic && !told->known;
     if (result.unreadable && own) {
       told->known = true;
@@ -259,6 +260,8 @@ void RangeJob::onMessage(const Parts& parts, const recording::Message& message, 
   if (parts.shape.isRos(channel)) {
     const bool read = placed || range_.whole_texts || message.bytes.size() <= kMostUnknown;
     const auto frame = read ? parts.fields.read(message) : tl::unexpected(Fault());
+    if (frame && parts.fields.beyond() > 0)
+      reportUndecoded(channel.topic, {fault::RosMessageLonger, {std::int64_t(parts.fields.beyond())}});
     text = texts.ofRos(frame, parts.fields);
     if (frame) {
       if (placed) addResults(placing->add(message, *frame), &told);

@@ -51,6 +51,7 @@ constexpr NoteFault kNoteFaults[] = {
     {Code::FileMissing,
      faultText("recorded", "Its file %1 is missing or cannot be read. The others are played."), Says::Name,
      true},
+    {Code::FilesLeftOut, fault::RecordingFilesLeftOut, Says::Count, true},
     {Code::Unpacked,
      faultText("recorded", "It is compressed as a whole (zstd), so it was unpacked to a temporary file."),
      Says::Nothing, false}};

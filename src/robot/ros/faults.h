@@ -68,6 +68,10 @@ inline constexpr FaultCode RosMeshesAsSpots{
 /// how many
 inline constexpr FaultCode RosMarkersUnknown{
     "ros", QT_TRANSLATE_N_NOOP("ros", "%1 markers are of an unknown kind and are not drawn.")};
+/// how many
+inline constexpr FaultCode RosMarkersLeftOut{
+    "ros", QT_TRANSLATE_N_NOOP(
+               "ros", "%1 markers are left out or cut: they cannot be read, or there are too many.")};
 /// their namespaces
 inline constexpr FaultCode RosSeveralRobots{
     "ros", QT_TRANSLATE_NOOP("ros",

@@ -413,12 +413,15 @@ std::string plainType(std::string_view type) {
   return std::string(type.substr(0, package)).append(type.substr(name));
 }
 
-Read<std::vector<Marker>> readMarkers(const Field& msg) {
+Read<std::vector<Marker>> readMarkers(const Field& msg, std::int64_t* left_out) {
   std::vector<Marker> markers;
   std::size_t points = 0;
   const auto addMarker = [&](const Field& field) {
-    if (markers.size() >= kMostMarkers) return;
-    auto marker = markerOf(field, std::min(kMostMarkerPoints, kMostPointsOfAll - points));
+    const bool room = markers.size() < kMostMarkers;
+    auto marker =
+        room ? markerOf(field, std::min(kMostMarkerPoints, kMostPointsOfAll - points)) : std::nullopt;
+    const bool adds = marker && marker->action == Marker::Action::Add;
+    if (left_out && (!marker || (adds && marker->points.size() < field["points"].size()))) ++*left_out;
     if (!marker) return;
     points += marker->points.size();
     markers.push_back(std::move(*marker));

@@ -158,7 +158,8 @@ Read<Points> readPointCloud1(const Field& msg);
 Read<Points> readPointCloud2(const Field& msg);
 
 /// visualization_msgs/MarkerArray, or a single Marker. Markers without readable numbers are skipped.
-Read<std::vector<Marker>> readMarkers(const Field& msg);
+/// `left_out`: how many of them, or of too many, or without some of their points.
+Read<std::vector<Marker>> readMarkers(const Field& msg, std::int64_t* left_out = nullptr);
 
 /// tf2_msgs/TFMessage. Entries without frame names are skipped.
 std::vector<TfRow> readTf(const Field& msg);

@@ -44,7 +44,7 @@ map::BatteryState readBattery(const Field& msg) {
 }
 
 /// What of them is not drawn, or only as a spot.
-std::vector<Fault> notShown(const std::vector<Marker>& markers) {
+std::vector<Fault> notShown(const std::vector<Marker>& markers, std::int64_t left_out) {
   std::int64_t meshes = 0, unknown = 0;
   std::string mesh;
   for (const Marker& marker : markers) {
@@ -53,6 +53,7 @@ std::vector<Fault> notShown(const std::vector<Marker>& markers) {
     unknown += marker.kind == Marker::Kind::Other;
   }
   std::vector<Fault> notes;
+  if (left_out > 0) notes.push_back({fault::RosMarkersLeftOut, {left_out}});
   if (unknown > 0) notes.push_back({fault::RosMarkersUnknown, {unknown}});
   if (meshes > 0) notes.push_back({fault::RosMeshesAsSpots, {meshes, mesh}});
   return notes;
@@ -368,7 +369,8 @@ WorldResults RosWorld::add(const Source& source, const Field& msg, double receiv
       break;
     case Form::Markers: {
       const std::string type = plainType(source.type);
-      auto markers = isDrawn(type) ? readDrawn(type, msg, source.topic) : readMarkers(msg);
+      std::int64_t left_out = 0;
+      auto markers = isDrawn(type) ? readDrawn(type, msg, source.topic) : readMarkers(msg, &left_out);
       if (!markers) {
         result.unreadable = std::move(markers.error());
         break;
@@ -377,7 +379,7 @@ WorldResults RosWorld::add(const Source& source, const Field& msg, double receiv
         markers_.settle(source.topic, *markers, transforms_, fixedFrame(), received_s);
         break;
       }
-      result.notes = notShown(*markers);
+      result.notes = notShown(*markers, left_out);
       markers_.apply(source.topic, *markers, received_s);
       lookAtMarkers(received_s, results);
       std::erase_if(results, [&](WorldResult& one) {
