@@ -10642,6 +10642,10 @@ Do you want to delete it anyway?</source>
         <source>The mask %1 is %2 pixels, but the expected picture is %3.</source>
         <translation>遮罩 %1 为 %2 像素，而期望图像为 %3。</translation>
     </message>
+    <message>
+        <source>it is an animation, and only single pictures can be compared</source>
+        <translation>它是动画，只能比较单张图片</translation>
+    </message>
 </context>
 <context>
     <name>disk</name>

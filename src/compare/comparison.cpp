@@ -11,6 +11,7 @@
 
 #include "compare/faults.h"
 #include "compare/picture_reading.h"
+#include "grids/png_header.h"
 #include "words/figures.h"
 
 namespace mapwright::compare {
@@ -113,6 +114,9 @@ PictureReading::PictureReading(std::string path, std::unique_ptr<grids::PictureR
 tl::expected<PictureReading, Fault> PictureReading::open(const std::string& path) {
   auto bytes = grids::ByteSource::open(path);
   if (!bytes) return tl::make_unexpected(notRead(path, fault::said(std::strerror(errno))));
+  // Those that begin alike would be called the same.
+  if (const auto png = grids::readPngHeader(*bytes); png && png->animated)
+    return tl::make_unexpected(notRead(path, fault::PictureAnimated));
   auto rows = grids::openPicture(std::move(*bytes));
   if (!rows) return tl::make_unexpected(notRead(path, std::move(rows.error())));
   PictureReading reading(path, std::move(*rows));

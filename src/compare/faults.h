@@ -12,6 +12,8 @@ inline constexpr FaultCode PictureNotRead{"compare", QT_TRANSLATE_NOOP("compare"
 /// size, the most
 inline constexpr FaultCode PictureTooLarge{
     "compare", QT_TRANSLATE_NOOP("compare", "it has %1 pixels, but at most %2 can be compared")};
+inline constexpr FaultCode PictureAnimated{
+    "compare", QT_TRANSLATE_NOOP("compare", "it is an animation, and only single pictures can be compared")};
 /// rows that came, size; because: what ends it
 inline constexpr FaultCode PictureEndsEarly{
     "compare", QT_TRANSLATE_NOOP("compare", "it is %2 pixels, but only %1 rows of it can be read")};

@@ -170,6 +170,10 @@ tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
       } else if (!is_palette) {
         readTransparency(*content, palette, header->bit_depth, header->format);
       }
+    } else if (chunk->is("acTL")) {
+      std::array<std::uint8_t, 4> pictures{};
+      const bool whole = bytes.readAt(at + 8, pictures.data(), pictures.size());
+      header->animated = whole && bigEndian(pictures.data()) > 1;
     } else if ((chunk->type[0] & 0x20) == 0 && !is_palette) {
       return refused(faultText("grids", "It is a PNG with a critical chunk that is not in the standard."));
     }

@@ -17,6 +17,7 @@ struct PngHeader {
   int bit_depth = 8;        // 1, 2, 4, 8, 16, as stored
   int stored_channels = 1;  // samples per pixel, as stored
   bool interlaced = false;
+  bool animated = false;        // it holds more pictures (APNG), which are not read
   std::uint64_t pixels_at = 0;  // offset of the first IDAT chunk
 
   std::size_t storedRowBytes(int width) const {

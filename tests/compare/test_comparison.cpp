@@ -1,4 +1,5 @@
 // What differs between two pictures, what of it is allowed, and where on the map it lies.
+#include <QFile>
 #include <QImage>
 #include <QJsonDocument>
 #include <QTemporaryDir>
@@ -65,6 +66,27 @@ class ComparisonTest : public QObject {
   }
 
  private Q_SLOTS:
+  void animationsAreRefused() {
+    const std::string still = put("still.png", ground());
+    for (const char pictures : {'\x01', '\x02'}) {
+      QFile file(QString::fromStdString(still));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      QByteArray bytes = file.readAll();
+      // Behind the header: how many pictures, how often they are shown, and a checksum that nobody looks at.
+      bytes.insert(33, QByteArray("\0\0\0\x08"
+                                  "acTL\0\0\0",
+                                  11) +
+                           pictures + QByteArray(8, '\0'));
+      QFile moving(QString::fromStdString(path("moving.png")));
+      QVERIFY(moving.open(QIODevice::WriteOnly | QIODevice::Truncate));
+      moving.write(bytes);
+      moving.close();
+      const auto made = compare::comparePictures(still, path("moving.png"), {});
+      QCOMPARE(made.has_value(), pictures == '\x01');
+      if (!made) QVERIFY(inEnglish(made.error()).find("animation") != std::string::npos);
+    }
+  }
+
   void theSamePicturesAreEqual() {
     const Comparison made = compared(ground(), ground());
     QVERIFY(made.equal && made.clusters.empty() && made.differs.empty());
