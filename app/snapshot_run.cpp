@@ -16,6 +16,7 @@
 #include "map/failure.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
+#include "robot/faults.h"
 #include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
@@ -652,6 +653,14 @@ void SnapshotRun::draw(EndOfWaiting why) {
   shot_.addIf(wantsWholeMap() && !map_.complete(), Lack::WholeMap);
   shot_.addIf(waypointsLost(), Lack::Waypoints);
   shot_.addIf(overlaysLost(), Lack::Overlays);
+  const map::WholeMap& whole = session_.wholeMap().shown();
+  const bool overlays = !options_.raw && wholeGrid() && options_.layers.contains(ui::scene::Layer::Overlays);
+  if (overlays && !overlaysLost() && !whole.broken_overlays.empty()) {
+    // A robot's own, which it can live with.
+    const Fault unreadable(robot::fault::FeaturesUnreadable, {std::int64_t(whole.broken_overlays.size())});
+    notes_ << words::about(sentences::nameOf(map::subjectOf(whole.key, whole.name)),
+                           sentences::sentenceOf(unreadable));
+  }
   shot_.addIf(region_ && !region_->complete(), Lack::Region);
   shot_.addIf(wantsCloud() && !(cloud_ && cloud_->came), Lack::Cloud);
   if (options_.named.contains(ui::scene::Layer::Closures) && !session_.poseGraph().offered()) {

@@ -91,6 +91,10 @@ class SnapshotRunTest : public QObject {
     QCOMPARE(take(other("grid", QStringLiteral("without.png")), frozen(), &report), int(app::kDone));
     QVERIFY2(warnings(report).isEmpty(), qPrintable(warnings(report)));
     QCOMPARE(bytesOf(QStringLiteral("with.png")), bytesOf(QStringLiteral("without.png")));
+    // One of its overlays has no points.
+    QCOMPARE(take(other("overlays", QStringLiteral("overlays.png")), frozen(), &report), int(app::kDone));
+    QVERIFY2(warnings(report).contains(QLatin1String("1 feature of its overlays cannot be read")),
+             qPrintable(warnings(report)));
     QCOMPARE(take(other("grid,robot", QStringLiteral("anyway.png"), true), frozen(), &report),
              int(app::kDone));
     QVERIFY(warnings(report).contains(QLatin1String("Drawn anyway: robot.")));

@@ -7,7 +7,6 @@
 
 #include "robot/axbot/faults.h"
 #include "robot/axbot/robot_urls.h"
-#include "robot/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
 #include "robot/wire/net_results.h"
@@ -235,13 +234,6 @@ void MapRequests::fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetai
   fetch->map.grid = detail.grid;
   fetch->map.overlays = detail.overlays;
   fetch->map.broken_overlays = detail.broken_overlays;
-  if (!detail.broken_overlays.empty()) {
-    fetch->map.notes.push_back(
-        {map::Severity::Warning,
-         map::subjectOf(fetch->map.key),
-         {robot::fault::FeaturesUnreadable, {std::int64_t(detail.broken_overlays.size())}},
-         map::ProblemCode::Unreadable});
-  }
   if (!detail.overlays_readable) {
     fetch->map.notes.push_back({map::Severity::Warning,
                                 map::subjectOf(fetch->map.key),
