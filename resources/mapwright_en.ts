@@ -1069,6 +1069,13 @@
             <numerusform>%1 files of it are not played: it has too many.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Its metadata.yaml is missing or damaged, as after an interrupted recording. The %1 files in its folder are played.</source>
+        <translation>
+            <numerusform>Its metadata.yaml is missing or damaged, as after an interrupted recording. The %1 file in its folder is played.</numerusform>
+            <numerusform>Its metadata.yaml is missing or damaged, as after an interrupted recording. The %1 files in its folder are played.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>robot</name>

@@ -23386,6 +23386,16 @@ Theirs: %6</source>
             <numerusform>其中 %1 个文件未播放：文件太多。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Its metadata.yaml is missing or damaged, as after an interrupted recording. The %1 files in its folder are played.</source>
+        <translation>
+            <numerusform>其 metadata.yaml 缺失或已损坏（例如录制被中断）。播放文件夹中的 %1 个文件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is an SQLite database, but no bag of ROS 2, or one that is damaged or cut off.</source>
+        <translation>这是 SQLite 数据库，但不是 ROS 2 包，或者已损坏或不完整。</translation>
+    </message>
 </context>
 <context>
     <name>render</name>

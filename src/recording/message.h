@@ -85,6 +85,7 @@ enum class NoteCode : std::uint8_t {
   MessagesMissing,    // `count` messages that it counts itself are not in it
   TableDamaged,  // a database whose table of messages cannot be read to its end; `count` messages were read
   FileMissing,   // a recording of several files lacks one, or one that cannot be read: `name`
+  NoMetadata,    // a folder of rosbag2 without a usable metadata.yaml: its `count` files are played
   FilesLeftOut,  // `count` more files of such a recording than can be open at a time
   Unpacked,      // it was compressed as a whole (`name`: how), and has `count` bytes
 };
@@ -114,6 +115,7 @@ struct Failure {
   enum class Code : std::uint8_t {
     File,         // `file` says it
     NotOne,       // neither MCAP nor a bag, or too short to tell
+    Database,     // of SQLite, but no bag, or a damaged one
     NotUnpacked,  // compressed as a whole, and damaged or too large to be unpacked
     Pointer,      // what Git LFS leaves in its place
     Version,      // another major version of MCAP, or a bag before 2.0

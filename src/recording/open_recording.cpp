@@ -71,6 +71,7 @@ Opened openFolder(const std::string& folder, const Limits& limits, const Stop& s
     if (!first) first = part.error();
   }
   if (parts.empty()) return tl::unexpected(first.value_or(Failure{Failure::Code::NotOne, {}}));
+  if (!said.described) notes.push_back({NoteCode::NoMetadata, 0, said.files.size(), {}});
   if (said.left_out > 0) notes.push_back({NoteCode::FilesLeftOut, 0, said.left_out, {}});
   // Where a file is missing, so are its messages.
   std::uint64_t found = notes.empty() ? 0 : said.messages;

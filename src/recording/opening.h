@@ -20,11 +20,12 @@ Opened openSqliteBag(const std::string& path, const Limits& limits, Stop stop);
 
 /// The folder at this path, or that of its metadata.yaml.
 std::optional<std::string> rosbagFolderAt(const std::string& path);
-/// What metadata.yaml of rosbag2 says.
+/// What metadata.yaml of rosbag2 says, or where that is missing or unusable, what the names of the files say.
 struct RosbagFolder {
   std::vector<std::string> files;  // in their order; only names, which lie in the folder
   std::uint64_t messages = 0;      // in all of them; 0: not said
   std::uint64_t left_out = 0;      // files that are too many
+  bool described = true;           // by a metadata.yaml
 };
 RosbagFolder rosbagFolder(const std::string& folder);
 

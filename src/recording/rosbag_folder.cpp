@@ -1,6 +1,10 @@
 // A recording of rosbag2: a folder with metadata.yaml and one or several files, played as one. Source:
 // rosbag2_storage, "metadata.yaml" (rosbag2_bagfile_information: relative_file_paths, in the order of time).
+// It is written when the recording ends: a recorder that is killed leaves the files alone, NAME_0.db3,
+// NAME_1.db3, …
 #include <algorithm>
+#include <charconv>
+#include <filesystem>
 #include <map>
 #include <sys/stat.h>
 #include <tuple>
@@ -69,6 +73,8 @@ class JoinedSource final : public Source {
   Summary summary() const override {
     Summary all;
     all.notes = notes_;
+    all.finished = std::none_of(notes_.begin(), notes_.end(),
+                                [](const Note& note) { return note.code == NoteCode::NoMetadata; });
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       const Summary one = parts_[part]->summary();
       if (part == 0) std::tie(all.profile, all.library) = std::tie(one.profile, one.library);
@@ -230,9 +236,60 @@ std::string withoutFolders(const std::string& path) { return path.substr(path.rf
 
 constexpr const char* kMetadataFile = "metadata.yaml";
 
-}  // namespace
+/// "a_10.mcap.zstd": "a", 10. A number of -1: there is none; nullopt: no recording.
+std::optional<std::pair<std::string, int>> numberedRecording(std::string name) {
+  const auto drop = [&name](std::string_view end) {
+    const bool has = name.size() > end.size() && name.ends_with(end);
+    if (has) name.resize(name.size() - end.size());
+    return has;
+  };
+  if (!drop(".zstd")) drop(".zst");
+  if (!drop(".db3") && !drop(".mcap")) return std::nullopt;
+  const std::size_t at = name.rfind('_');
+  int number = -1;
+  if (at == std::string::npos) return std::pair(name, number);
+  const char* const end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data() + at + 1, end, number);
+  if (error != std::errc() || stop != end) return std::pair(name, -1);
+  return std::pair(name.substr(0, at), number);
+}
 
-RosbagFolder rosbagFolder(const std::string& folder) {
+/// The files that a recorder has written without getting to its metadata.yaml; none where there are maps, or
+/// recordings of different names.
+std::vector<std::string> filesOfOneRecording(const std::string& folder) {
+  std::map<int, std::string> files;
+  std::optional<std::string> of;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator it(folder, failed), end; !failed && it != end;
+       it.increment(failed)) {
+    const std::string name = it->path().filename().string();
+    if (name == kMetadataFile || name.starts_with('.')) continue;
+    const std::string type = it->path().extension().string();
+    for (const char* const of_maps : {".yaml", ".yml", ".png", ".pgm", ".bmp"})
+      if (type == of_maps) return {};
+    const auto numbered = numberedRecording(name);
+    if (!numbered) continue;
+    if (numbered->second < 0 || (of && *of != numbered->first)) return {};
+    of = numbered->first;
+    if (!files.emplace(numbered->second, name).second) return {};
+  }
+  std::vector<std::string> names;
+  for (const auto& [number, name] : files) names.push_back(name);
+  return names;
+}
+
+RosbagFolder undescribed(const std::string& folder) {
+  RosbagFolder found;
+  found.described = false;
+  found.files = filesOfOneRecording(folder);
+  if (found.files.size() > kMostFiles) {
+    found.left_out = found.files.size() - kMostFiles;
+    found.files.resize(kMostFiles);
+  }
+  return found;
+}
+
+RosbagFolder describedBy(const std::string& folder) {
   RosbagFolder said;
   std::vector<std::string>& files = said.files;
   const auto text = disk::readFile(folder + '/' + kMetadataFile, kMostMetadata + 1);
@@ -255,6 +312,13 @@ RosbagFolder rosbagFolder(const std::string& folder) {
     files.clear();
   }
   return said;
+}
+
+}  // namespace
+
+RosbagFolder rosbagFolder(const std::string& folder) {
+  RosbagFolder said = describedBy(folder);
+  return said.files.empty() ? undescribed(folder) : said;
 }
 
 std::optional<std::string> rosbagFolderAt(const std::string& path) {

@@ -91,7 +91,7 @@ using Stop = std::function<bool()>;
 /// How many of a file's first bytes tell whether it is a recording.
 inline constexpr std::size_t kLookedAt = 16;
 bool looksLikeRecording(std::span<const std::uint8_t> start);
-/// A folder with a metadata.yaml of rosbag2, or that file.
+/// A folder with a metadata.yaml of rosbag2, or that file; or a folder in which a recorder did not get to it.
 bool isRosbagFolder(const std::string& path);
 /// A file: the format is detected from the first bytes. Compressed with Zstandard as a whole, it is unpacked
 /// to a temporary file first, which is noted. A folder (isRosbagFolder()): its files, one after the other.

@@ -360,9 +360,9 @@ Opened openSqliteBag(const std::string& path, const Limits& limits, Stop stop) {
   const bool journal = sizeOfFile(path + "-wal") != 0;
   Database database = journal ? opened(path, "?mode=ro") : nullptr;
   if (!database) database = opened(path, "?mode=ro&immutable=1");
-  if (!database) return tl::unexpected(Failure{Failure::Code::NotOne, {}});
+  if (!database) return tl::unexpected(Failure{Failure::Code::Database, {}});
   auto bag = std::make_unique<SqliteBag>(std::move(database), path, limits, std::move(stop));
-  if (!bag->open(!journal)) return tl::unexpected(Failure{Failure::Code::NotOne, {}});
+  if (!bag->open(!journal)) return tl::unexpected(Failure{Failure::Code::Database, {}});
   return bag;
 }
 

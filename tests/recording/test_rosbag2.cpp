@@ -237,6 +237,40 @@ class Rosbag2Test : public QObject {
     QVERIFY(!opened(folder));
   }
 
+  /// metadata.yaml is written when a recording ends.
+  void whatAKilledRecorderLeavesIsPlayed() {
+    for (const bool damaged : {false, true}) {
+      const QString folder = freshFolder();
+      std::vector<Said> all;
+      for (const int part : {0, 1, 10}) {
+        const std::vector<Said> said = someMessages(unsigned(part), 1'000'000 + part * 1'000'000, 20);
+        all.insert(all.end(), said.begin(), said.end());
+        writeDb3(folder + QStringLiteral("/drive_%1.db3").arg(part), 3, said);
+      }
+      if (damaged) writeText(folder + QStringLiteral("/metadata.yaml"), "");
+      QVERIFY(isRosbagFolder(folder.toStdString()));
+      const Opened file = opened(folder);
+      QVERIFY(file);
+      QVERIFY(rowsOf(**file) == byTime(all));
+      const std::vector<Note> notes = (*file)->summary().notes;
+      QCOMPARE(notes.size(), std::size_t(1));
+      QCOMPARE(notes[0].code, NoteCode::NoMetadata);
+      QCOMPARE(notes[0].count, std::uint64_t(3));
+      QVERIFY(!(*file)->summary().finished);
+    }
+  }
+
+  void recordingsOfTheirOwnAreNotJoined() {
+    const std::vector<std::vector<const char*>> folders{
+        {"monday_0.db3", "tuesday_0.db3"}, {"a.db3"}, {"a_0.db3", "a.db3"}, {"a_0.db3", "map.yaml"},
+        {"a_0.db3", "a_00.db3"},           {},        {"a_.db3"},           {"a_x1.mcap"}};
+    for (const auto& names : folders) {
+      const QString folder = freshFolder();
+      for (const char* const name : names) writeText(folder + QLatin1Char('/') + QLatin1String(name), "");
+      QVERIFY2(!isRosbagFolder(folder.toStdString()), names.empty() ? "" : names.back());
+    }
+  }
+
   void filesThatAreTooManyAreNoted() {
     const QString folder = freshFolder();
     writeDb3(folder + QStringLiteral("/a.db3"), 3, someMessages(3, 1000, 10));
@@ -334,7 +368,7 @@ class Rosbag2Test : public QObject {
     for (const QString& path : {other, view}) {
       const Opened file = opened(path);
       QVERIFY(!file);
-      QCOMPARE(file.error().code, Failure::Code::NotOne);
+      QCOMPARE(file.error().code, Failure::Code::Database);
     }
   }
 

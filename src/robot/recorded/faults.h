@@ -83,6 +83,11 @@ inline constexpr FaultCode RecordingMessagesUntimed{
 /// how many
 inline constexpr FaultCode RecordingMessagesMissing{
     "recorded", QT_TRANSLATE_N_NOOP("recorded", "%1 messages that it counts are not in it.")};
+/// how many files
+inline constexpr FaultCode RecordingWithoutMetadata{
+    "recorded", QT_TRANSLATE_N_NOOP("recorded",
+                                    "Its metadata.yaml is missing or damaged, as after an interrupted "
+                                    "recording. The %1 files in its folder are played.")};
 /// how many
 inline constexpr FaultCode RecordingFilesLeftOut{
     "recorded", QT_TRANSLATE_N_NOOP("recorded", "%1 files of it are not played: it has too many.")};

@@ -51,6 +51,7 @@ constexpr NoteFault kNoteFaults[] = {
     {Code::FileMissing,
      faultText("recorded", "Its file %1 is missing or cannot be read. The others are played."), Says::Name,
      true},
+    {Code::NoMetadata, fault::RecordingWithoutMetadata, Says::Count, true},
     {Code::FilesLeftOut, fault::RecordingFilesLeftOut, Says::Count, true},
     {Code::Unpacked,
      faultText("recorded", "It is compressed as a whole (zstd), so it was unpacked to a temporary file."),
@@ -106,6 +107,9 @@ Fault reasonOf(const recording::Failure& failure) {
   using Why = recording::Failure::Code;
   if (failure.code == Why::NotOne)
     return faultText("recorded", "It is neither an MCAP file nor a bag of ROS 1 or ROS 2.");
+  if (failure.code == Why::Database)
+    return faultText("recorded",
+                     "It is an SQLite database, but no bag of ROS 2, or one that is damaged or cut off.");
   if (failure.code == Why::NotUnpacked)
     return faultText("recorded", "It is compressed (zstd), and damaged or too large to be unpacked.");
   if (failure.code == Why::Pointer)
