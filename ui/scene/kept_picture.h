@@ -18,9 +18,9 @@ namespace mapwright::ui::scene {
 
 class KeptPicture {
  public:
-  /// Draws at least what lies in `exposed`, in viewport pixels.
+  /// Draws at least what lies in `exposed`, in viewport pixels, over what is there.
   using Draw = std::function<void(QPainter& painter, const QRectF& exposed)>;
-  /// `revision`: another one if it looks different. What it draws is opaque only where `draw` is.
+  /// `revision`: another one if it looks different.
   void paint(QPainter& painter, const QRectF& exposed, const geometry::ViewTransform& view,
              std::uint64_t revision, const Draw& draw);
   void forget() { *this = {}; }
