@@ -125,11 +125,20 @@ class OverlaysDesk : public Desk, public robot::OverlayStore {
   void read() override { session_->read(); }
   int answered() const { return answered_; }
   void close() { session_.reset(); }
+  OverlayEditing& editing() { return editing_; }
+  OverlaySession& overlays() { return *session_; }
+  /// The next answer about what is held is on its way until it is let go.
+  void holdNextAnswer() { holds_next_ = true; }
+  void letGo() { std::exchange(held_back_, nullptr)(); }
 
   robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::OverlayText> reply) override {
+    if (std::exchange(holds_next_, false)) {
+      held_back_ = [reply, now = answer()] { reply(now); };
+      return {};
+    }
     QTimer::singleShot(0, &timers_, [this, reply] {
       ++answered_;
-      reply(robot::OverlayText{.text = text_, .version = version_, .map_uid = "u", .map_name = "Hall"});
+      reply(answer());
     });
     return {};
   }
@@ -147,9 +156,15 @@ class OverlaysDesk : public Desk, public robot::OverlayStore {
   }
 
  private:
+  robot::OverlayText answer() const {
+    return {.text = text_, .version = version_, .map_uid = "u", .map_name = "Hall"};
+  }
+
   std::string text_ =
       R"({"type":"FeatureCollection","features":[{"id":"p1","type":"Feature","geometry":{"type":"Point","coordinates":[2,1]},"properties":{"type":"25","name":"Desk"}}]})";
   int version_ = 1, answered_ = 0;
+  bool holds_next_ = false;
+  std::function<void()> held_back_;
   Fate fate_ = Fate::Done;
   OverlayEditing editing_;
   std::unique_ptr<OverlaySession> session_;
@@ -323,6 +338,25 @@ class EditSessionsTest : public QObject {
     desk.close();  // another thread merges
     QCoreApplication::processEvents();
     QVERIFY(!desk.holdsMine());
+  }
+
+  void anAnswerFromBeforeASaveIsNoNews() {
+    OverlaysDesk desk;
+    QTRY_COMPARE(desk.session().phase(), EditSession::Phase::Ready);
+    desk.holdNextAnswer();
+    desk.read();
+    desk.change();
+    QSignalSpy theirs(&desk.overlays(), &OverlaySession::changedThere);
+    desk.save(Fate::Done);
+    QTRY_VERIFY(!desk.session().saving());
+    const std::string saved = desk.editing().document().mine().text();
+    desk.letGo();
+    QVERIFY(desk.holdsMine() && !desk.session().unsaved() && !desk.overlays().reading());
+    QCOMPARE(desk.editing().document().mine().text(), saved);
+    QVERIFY(theirs.isEmpty());
+    desk.read();
+    QTRY_VERIFY(!desk.overlays().reading());
+    QCOMPARE(desk.editing().document().mine().text(), saved);
   }
 
   void whatIsNotStoredIsUnsaved_data() {

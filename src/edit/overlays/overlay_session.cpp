@@ -53,18 +53,19 @@ void OverlaySession::read() {
   }
   reading_ = true;
   failure_.reset();
-  call_ = store->read(target_.map,
-                      [self = QPointer<OverlaySession>(this)](const robot::Outcome<robot::OverlayText>& now) {
-                        if (!self) return;
-                        self->reading_ = false;
-                        // While something is being saved it is older than that.
-                        if (now && !self->saving_) self->merge(*now, false);
-                        if (!now && !self->saving_) self->failure_ = now.error();
-                        if (!self) return;
-                        if (!now && !self->editing_.isOpen()) self->phase_ = Phase::Failed;
-                        Q_EMIT self->changed();
-                        if (self && std::exchange(self->read_again_, false)) self->read();
-                      });
+  call_ = store->read(target_.map, [self = QPointer<OverlaySession>(this),
+                                    saves = saves_](const robot::Outcome<robot::OverlayText>& now) {
+    if (!self) return;
+    self->reading_ = false;
+    // What was asked before something was saved may be older than that, however late it is answered.
+    const bool counts = self->saves_ == saves;
+    if (now && counts) self->merge(*now, false);
+    if (!self) return;
+    if (!now && counts) self->failure_ = now.error();
+    if (!now && !self->editing_.isOpen()) self->phase_ = Phase::Failed;
+    Q_EMIT self->changed();
+    if (self && std::exchange(self->read_again_, false)) self->read();
+  });
   Q_EMIT changed();
 }
 
@@ -116,6 +117,7 @@ void OverlaySession::change(bool send, bool still_held) {
   robot::OverlayStore* const store = store_();
   if (!store || saving_) return;
   saving_ = true;
+  ++saves_;
   editing_.setLocked(true);
   const QPointer<OverlaySession> self(this);
   Q_EMIT changed();

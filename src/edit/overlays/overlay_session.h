@@ -83,6 +83,7 @@ class OverlaySession : public EditSession {
   OverlayEditing& editing_;
   robot::Call call_;
   bool reading_ = false, read_again_ = false, saving_ = false, doubt_ = false;
+  quint64 saves_ = 0;  // that have begun
   Fault unreadable_;
   robot::OverlayText held_;
   work::Tasks share_;  // last: waits for running work
