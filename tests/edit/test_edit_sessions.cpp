@@ -359,6 +359,23 @@ class EditSessionsTest : public QObject {
     QCOMPARE(desk.editing().document().mine().text(), saved);
   }
 
+  void whatIsUndoneWhileItIsSentIsToBeSavedAgain() {
+    OverlaysDesk desk;
+    QTRY_COMPARE(desk.session().phase(), EditSession::Phase::Ready);
+    desk.change();
+    const std::string once = desk.editing().document().mine().text();
+    desk.change();
+    QSignalSpy theirs(&desk.overlays(), &OverlaySession::changedThere);
+    desk.save(Fate::Done);
+    desk.editing().undoStack().undo();
+    QTRY_VERIFY(!desk.session().saving());
+    QVERIFY(!desk.session().inConflict() && theirs.isEmpty());
+    QVERIFY(desk.session().unsaved());
+    QCOMPARE(desk.editing().document().mine().text(), once);
+    desk.editing().undoStack().redo();
+    QVERIFY(!desk.session().unsaved());
+  }
+
   void whatIsNotStoredIsUnsaved_data() {
     QTest::addColumn<QString>("what");
     QTest::addColumn<int>("fate");

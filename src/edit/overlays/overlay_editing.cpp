@@ -1,6 +1,7 @@
 #include "edit/overlays/overlay_editing.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include <QRandomGenerator>
@@ -52,6 +53,7 @@ void OverlayEditing::open(OverlayDocument held) {
   document_ = EditingDocument(std::move(held));
   open_ = true;
   locked_ = false;
+  waiting_ = 0;
   preview_.clear();
   selected_.clear();
   gesture_ = 0;
@@ -65,6 +67,7 @@ void OverlayEditing::close() {
   undo_.clear();
   document_ = {};
   open_ = locked_ = false;
+  waiting_ = 0;
   preview_.clear();
   selected_.clear();
   Q_EMIT opened();
@@ -75,6 +78,8 @@ void OverlayEditing::close() {
 void OverlayEditing::setLocked(bool locked) {
   if (std::exchange(locked_, locked) == locked) return;
   if (locked_) setPreview({});
+  const int waiting = std::exchange(waiting_, 0);
+  for (int i = 0; i < std::abs(waiting); ++i) step(waiting > 0);
   Q_EMIT editableChanged();
 }
 
@@ -137,6 +142,10 @@ void OverlayEditing::change(std::vector<FeatureEdit> edits, const QString& text,
 }
 
 void OverlayEditing::step(bool forward) {
+  if (locked_) {
+    waiting_ += forward ? 1 : -1;
+    return;
+  }
   setPreview({});
   forward ? document_.redo() : document_.undo();
   gesture_ = 0;

@@ -35,7 +35,7 @@ class OverlayEditing : public QObject {
   bool isOpen() const { return open_; }
   const overlays::EditingDocument& document() const { return document_; }
   QUndoStack& undoStack() { return undo_; }
-  /// Nothing can be changed at present.
+  /// Nothing can be changed at present; what is undone or redone follows afterwards.
   void setLocked(bool locked);
   /// The overlays are in a file, not on a robot: texts say so.
   void setInFile(bool in_file) { in_file_ = in_file; }
@@ -112,6 +112,7 @@ class OverlayEditing : public QObject {
   overlays::EditingDocument document_;
   QUndoStack undo_;
   bool open_ = false, locked_ = false, in_file_ = false;
+  int waiting_ = 0;  // steps to redo once it can be changed; < 0: to undo
   std::set<overlays::FeatureKey> selected_;
   Preview preview_;
   Gesture gesture_ = 0, last_gesture_ = 0;
