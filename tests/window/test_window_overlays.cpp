@@ -546,6 +546,30 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), Desk::with("[[0.00,0],[4,0]]", desk.coordinates(0)));
   }
 
+  void whatIsSavedIsNotCalledUnsavedBecauseOfOthers() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    simulator::Faults faults;
+    faults.requests.push_back({simulator::FaultKind::Delay, simulator::kWrites, 1, 1500});
+    desk.sim.setFaults(faults);
+    desk.review();
+    QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.held() != kOverlays);
+    // It is done, and not answered yet.
+    desk.sim.setFaults({});
+    std::string theirs = desk.held();
+    theirs.replace(theirs.find("0.40"), 4, "0.9");
+    QVERIFY(desk.hand(theirs) && desk.control().busy());
+    QTRY_VERIFY(!desk.control().busy());
+    QCOMPARE(desk.held(), theirs);
+    QVERIFY(!desk.control().unsaved());
+    const QString said = desk.toasts().join(QLatin1Char('|'));
+    QVERIFY2(desk.says("Someone else changed the overlays while they were being saved"), qPrintable(said));
+    QVERIFY2(!desk.says("unsaved"), qPrintable(said));
+    QVERIFY(!desk.dock().statusShown().contains(QLatin1String("not saved")));
+  }
+
   void whatNobodyKnowsIsLookedAtWhenTheLinkIsBack_data() {
     QTest::addColumn<bool>("applied");
     QTest::newRow("it was saved") << true;

@@ -391,7 +391,9 @@ void OverlaysController::onOutcome(const jobs::OverlayOutcome& outcome, bool sen
   if (!sent && unsaved()) return showReview(&outcome);
   if (editing_.inFile() && outcome.sent) Q_EMIT fileWritten();
   const QString doubt = jobs::doubtOf(outcome);
-  if (!outcome.differs.empty()) return notSaved(tr("%1 They are still unsaved here.").arg(doubt));
+  // What differs may be what others did to something else since.
+  if (!outcome.differs.empty() && unsaved())
+    return notSaved(tr("%1 They are still unsaved here.").arg(doubt));
   if (outcome.unreadable.any()) return notSaved(doubt);
   if (!outcome.sent) return reportHeld();
   doubt.isEmpty() ? reportSaving(Mark::Good, tr("Overlays of %1 saved").arg(mapName()))
