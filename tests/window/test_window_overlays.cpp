@@ -546,12 +546,19 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), Desk::with("[[0.00,0],[4,0]]", desk.coordinates(0)));
   }
 
+  void whatIsSavedIsNotCalledUnsavedBecauseOfOthers_data() {
+    QTest::addColumn<bool>("answered");
+    QTest::newRow("answered") << true;
+    QTest::newRow("the answer is lost") << false;
+  }
   void whatIsSavedIsNotCalledUnsavedBecauseOfOthers() {
+    QFETCH(bool, answered);
     Desk desk;
     desk.open();
     desk.drag(desk.px(2, 0), desk.px(2, 1));
     simulator::Faults faults;
     faults.requests.push_back({simulator::FaultKind::Delay, simulator::kWrites, 1, 1500});
+    if (!answered) faults.requests.push_back({simulator::FaultKind::Cut, simulator::kWrites});
     desk.sim.setFaults(faults);
     desk.review();
     QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
@@ -565,8 +572,11 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), theirs);
     QVERIFY(!desk.control().unsaved());
     const QString said = desk.toasts().join(QLatin1Char('|'));
-    QVERIFY2(desk.says("Someone else changed the overlays while they were being saved"), qPrintable(said));
-    QVERIFY2(!desk.says("unsaved"), qPrintable(said));
+    QVERIFY2(desk.says(answered ? "Someone else changed the overlays while they were being saved"
+                                : "The robot already has these overlays."),
+             qPrintable(said));
+    QVERIFY2(!desk.says("unsaved") && !desk.says("not known"), qPrintable(said));
+    QVERIFY(!desk.dock().retryButton()->isVisible());
     QVERIFY(!desk.dock().statusShown().contains(QLatin1String("not saved")));
   }
 

@@ -379,6 +379,7 @@ void OverlaysController::readIfChanged() {
 
 void OverlaysController::onFailed(const map::Failure& failure) {
   readIfChanged();
+  if (failure.applied != map::Applied::No && !overlays_->inDoubt()) return reportHeld();
   QString why = QString::fromStdString(sentences::failureReason(failure));
   if (overlays_->unreadable().any()) why = unreadableText();
   notSaved(overlays_->inDoubt() ? tr("It is not known whether the overlays were saved. %1").arg(why)

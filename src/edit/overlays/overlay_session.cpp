@@ -132,9 +132,10 @@ void OverlaySession::change(bool send, bool still_held) {
                                [self, send](const robot::Outcome<jobs::OverlayOutcome>& outcome) {
                                  if (!self) return;
                                  self->saving_ = false;
-                                 self->editing_.setLocked(false);
+                                 // What was read again may hold it all, beside what others changed since.
                                  if (!outcome && outcome.error().applied != map::Applied::No)
-                                   self->doubt_ = true;
+                                   self->doubt_ = self->unsaved();
+                                 self->editing_.setLocked(false);
                                  outcome ? self->ended(*outcome, send) : self->failed(outcome.error());
                                  if (self) Q_EMIT self->changed();
                                });
