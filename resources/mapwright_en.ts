@@ -203,6 +203,20 @@
             <numerusform>%1 earlier events are left out.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more topics begin only later.</source>
+        <translation>
+            <numerusform>%1 more topic begins only later.</numerusform>
+            <numerusform>%1 more topics begin only later.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>OutcomeText</name>

@@ -5690,6 +5690,18 @@
         <source>The position at this time is unknown, so the same place cannot be found in the other run. Give its time instead.</source>
         <translation>此时的位置未知，因此在另一次运行中找不到同一地点。请改为给出其时间。</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>还有 %1 个未列出。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more topics begin only later.</source>
+        <translation>
+            <numerusform>还有 %1 个话题稍后才开始。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>JudgementText</name>

@@ -240,7 +240,9 @@ void writeSafety(page::Page& page, const Run& run) {
   if (conditions.empty()) conditions.emplace_back(ReportText::tr("none that the robot reports"));
   facts.push_back({ReportText::tr("Conditions"), std::move(conditions)});
   for (const auto& [topic, said] : run.said)
-    facts.push_back({named(topic), {named(said.substr(0, kLongestSaid))}});
+    facts.push_back(
+        {named(topic),
+         {said.size() > kLongestSaid ? named(said.substr(0, kLongestSaid)) + QChar(0x2026) : named(said)}});
   page.facts(facts);
 }
 
@@ -376,6 +378,11 @@ void writeNotKnown(page::Page& page, const Run& run) {
     page.row({Cell(named(old[i].second)), Cell(utcText(run.at_s - old[i].first)),
               page::figure(ageText(old[i].first))});
   page.endTable();
+  if (old.size() <= kMostTopics) return;
+  const auto more = qint64(old.size() - kMostTopics);
+  page.paragraph(
+      sentences::counted(ReportText::tr("%1 more are not listed.", nullptr, sentences::formOf(more)), more),
+      Tone::Muted);
 }
 
 QStringList inShort(const Run& run) {
@@ -504,10 +511,15 @@ QStringList notKnown(const Run& run) {
         ReportText::tr("Map: the bag does not say which one was used up to this time."));
   lacks(!run.overlays.empty(),
         ReportText::tr("Overlays: none are known, so walls, regions and doors may be missing."));
+  std::size_t later = 0;
   for (const robot::BagTopic& topic : run.info.topics) {
-    if (!run.topics.contains(topic.name))
+    if (!run.topics.contains(topic.name) && ++later <= kMostTopics)
       all << ReportText::tr("Topic %1 begins only later.").arg(named(topic.name));
-    if (std::size_t(all.size()) >= kMostTopics) break;
+  }
+  if (later > kMostTopics) {
+    const auto more = qint64(later - kMostTopics);
+    all << sentences::counted(
+        ReportText::tr("%1 more topics begin only later.", nullptr, sentences::formOf(more)), more);
   }
   if (run.info.interrupted) all << ReportText::tr("The recording was interrupted, or is still going on.");
   return all;

@@ -157,7 +157,7 @@ class IncidentTest : public QObject {
     Run run;
     run.at_s = kAt;
     const QString all = incident::notKnown(run).join(QLatin1Char('\n'));
-    for (const char* what : {"Position:", "Position quality:", "Planner:", "Path:", "Emergency stop:",
+    for (const char* what : {"Position:", "Position quality:", "Planner state:", "Path:", "Emergency stop:",
                              "Bumpers:", "Battery:", "Scan:", "outline:", "Map:", "Overlays:", "Speed:"})
       QVERIFY2(all.contains(QLatin1String(what)), what);
     run = toldBy("word");
@@ -271,6 +271,33 @@ class IncidentTest : public QObject {
     QVERIFY(html.contains(QLatin1String("2024-06-03 08:59:00.000")));
     QVERIFY(html.contains(QLatin1String("60.0 s")));
     QVERIFY(!html.contains(QLatin1String("/other")));
+  }
+
+  void topicsThatAreLeftOutAreCounted() {
+    Run run = toldBy("word");
+    run.live.clouds["/scan"] = nullptr;
+    run.topics.clear();
+    run.info.topics.clear();
+    for (int i = 0; i < 250; ++i) {
+      run.topics["/old" + std::to_string(i)] = kAt - 60;
+      run.info.topics.push_back({"/later" + std::to_string(i), {}, {}, {}});
+    }
+    const QStringList not_known = incident::notKnown(run);
+    QCOMPARE(not_known.size(), 201);
+    QCOMPARE(not_known.last(), QStringLiteral("50 more topics begin only later."));
+    QVERIFY(htmlOf({run, {}, {}, false}).contains(QLatin1String("50 more are not listed.")));
+    run.topics.clear();
+    run.info.topics.resize(201);
+    QCOMPARE(incident::notKnown(run).last(), QStringLiteral("1 more topic begins only later."));
+  }
+
+  void aMessageThatIsCutEndsInDots() {
+    const QChar dots(0x2026);
+    Run run = toldBy("word");
+    run.said = {{"/bumper", std::string(400, 'x')}};
+    QVERIFY(!htmlOf({run, {}, {}, false}).contains(dots));
+    run.said = {{"/bumper", std::string(401, 'x')}};
+    QVERIFY(htmlOf({run, {}, {}, false}).contains(dots));
   }
 
   void aCurveHasAxesAndAMark() {
