@@ -301,6 +301,16 @@
     </message>
 </context>
 <context>
+    <name>SuitePage</name>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>WaypointJson</name>
     <message numerus="yes">
         <source>x and y of %1 features are not where their coordinates are. The coordinates count.</source>

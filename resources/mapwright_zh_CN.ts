@@ -9290,6 +9290,12 @@ Do you want to delete it anyway?</source>
         <source>Result</source>
         <translation>结果</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>还有 %1 个未列出。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SuiteText</name>

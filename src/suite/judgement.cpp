@@ -75,6 +75,7 @@ void explain(const Judgement& judgement, const Facts& facts, ViewOutcome& outcom
   outcome.sentence = words::paragraph(
       {compare::sizesText(comparison), why, words::asSentence(compare::amountText(comparison))});
   outcome.clusters = clusterRows(comparison, facts.view, explanation);
+  outcome.clusters_in_all = comparison.clusters_in_all;
   outcome.everywhere = explanation.everywhere;
   outcome.somewhere = explanation.somewhere;
   outcome.elsewhere = explanation.elsewhere;

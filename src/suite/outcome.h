@@ -31,7 +31,8 @@ struct ViewOutcome {
   struct ClusterRow {
     QString box, size, place, near;
   };
-  std::vector<ClusterRow> clusters;              // the first ones
+  std::vector<ClusterRow> clusters;  // the first ones
+  std::int64_t clusters_in_all = 0;
   QStringList everywhere, somewhere, elsewhere;  // as in an Explanation
   /// Of the SLAM session, where the view sets a limit to it; `before`: in the facts of the expected picture.
   /// Empty texts: unknown, or no limit.

@@ -4,6 +4,7 @@
 
 #include "disk/read_file.h"
 #include "page/page.h"
+#include "sentences/plural.h"
 
 namespace mapwright::suite {
 namespace {
@@ -52,6 +53,11 @@ void putClusters(const ViewOutcome& outcome, page::Page& page) {
     for (const ViewOutcome::ClusterRow& row : outcome.clusters)
       page.row({row.box, page::figure(row.size), row.place, row.near});
     page.endTable();
+    if (const qint64 more = outcome.clusters_in_all - qint64(outcome.clusters.size()); more > 0)
+      page.paragraph(
+          sentences::counted(SuitePageText::tr("%1 more are not listed.", nullptr, sentences::formOf(more)),
+                             more),
+          page::Tone::Muted);
   }
   for (const auto& [title, changes] :
        {std::pair(SuitePageText::tr("Changed as well"), &outcome.everywhere),

@@ -141,6 +141,21 @@ class SuiteReportsTest : public QObject {
     QVERIFY(!tally.good());
     QCOMPARE(suite::tallyText(tally), QStringLiteral("1 view as expected, 1 view is over a limit."));
   }
+  void clustersThatAreLeftOutAreCounted() {
+    ViewOutcome outcome;
+    outcome.name = QStringLiteral("many");
+    outcome.verdict = Verdict::Differs;
+    outcome.clusters = {{QStringLiteral("1 × 1 at 0, 0"), QStringLiteral("1"), {}, {}}};
+    const auto page = [&] {
+      QBuffer made;
+      made.open(QIODevice::WriteOnly);
+      suite::writePage(QStringLiteral("s"), {outcome}, made);
+      return QString::fromUtf8(made.data());
+    };
+    QVERIFY(!page().contains(QLatin1String("not listed")));
+    outcome.clusters_in_all = 1'235;
+    QVERIFY(page().contains(QLatin1String("1,234 more are not listed.")));
+  }
   void theSameRunGivesTheSameBytes() {
     QCOMPARE(written(suite::writePage), written(suite::writePage, 5));
     QCOMPARE(written(suite::writeJunit), written(suite::writeJunit));
