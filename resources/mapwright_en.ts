@@ -809,6 +809,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::ui::OverlayForm</name>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::ui::OverlayMarksDialog</name>
     <message numerus="yes">
         <source>Take over %1 marks</source>

@@ -16568,6 +16568,16 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <source>remove %1 of %2</source>
         <translation>移除 %2 的 %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>还有 %1 个未列出。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only the first %1 properties are compared.</source>
+        <translation>只比较前 %1 个属性。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::OverlayHistoryDock</name>
@@ -16807,6 +16817,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <source>reshape %1</source>
         <translation>改变 %1 的形状</translation>
     </message>
+    <message>
+        <source>%1 of %2 points are shown.</source>
+        <translation>显示了 %2 个点中的 %1 个。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::OverlayReview</name>
@@ -16892,6 +16906,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
     <message>
         <source>%1: drag or use the arrows to move, drag the round handle to turn, Delete deletes. Esc deselects.</source>
         <translation>%1：拖动或用方向键移动，拖动圆形手柄旋转，Delete 删除。Esc 取消选择。</translation>
+    </message>
+    <message>
+        <source>Its %1 points are too many to drag them one by one.</source>
+        <translation>它有 %1 个点，太多而无法逐个拖动。</translation>
     </message>
 </context>
 <context>

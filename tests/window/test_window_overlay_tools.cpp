@@ -344,6 +344,40 @@ class TestWindowOverlayTools : public QObject {
     QVERIFY(desk.editing().find(0)->property("mac") && desk.editing().find(1)->property("mac"));
   }
 
+  void whatIsTooLongForListsIsCounted() {
+    std::string members, points;
+    for (int i = 0; i < 2100; ++i) members += ",\"k" + std::to_string(i) + "\":1";
+    for (int i = 0; i < 2500; ++i) points += (i ? ",[" : "[") + std::to_string(i * 0.002) + ",0]";
+    std::string text = kOverlays;
+    const auto put = [&text](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    put("[[0.00,0],[4,0]]", "[" + points + "]");
+    put("\"name\":\"W17\"", "\"name\":\"W17\"" + members);
+    put("\"speed\":0.40", "\"speed\":0.40" + members);
+    Desk desk;
+    QVERIFY(desk.hand(text));
+    desk.open();
+    OverlayForm& form = *desk.dock().form();
+    OverlayPoints& list = *desk.dock().points();
+    desk.editing().select({0});
+    QCOMPARE(list.table()->rowCount(), 2000);
+    QCOMPARE(list.aboutShown(), QStringLiteral("2,000 of 2,500 points are shown."));
+    QVERIFY2(desk.control().tool()->hint().endsWith(
+                 QLatin1String("Its 2,500 points are too many to drag them one by one.")),
+             qPrintable(desk.control().tool()->hint()));
+    QCOMPARE(form.moreShown(), QStringLiteral("100 more are not listed."));
+    desk.editing().select({1});
+    QCOMPARE(list.aboutShown(), QString());
+    QVERIFY(!desk.control().tool()->hint().contains(QLatin1String("too many")));
+    QCOMPARE(form.moreShown(), QStringLiteral("101 more are not listed."));
+    desk.editing().select({0, 1});
+    QCOMPARE(form.properties()->rowCount(), 2000);
+    QCOMPARE(form.moreShown(), QStringLiteral("Only the first 2,000 properties are compared."));
+    desk.editing().select({2});
+    QCOMPARE(form.moreShown(), QString());
+  }
+
   void partsOfSeveralAreReshaped() {
     Desk desk;
     QVERIFY(desk.hand(Desk::with(

@@ -19,8 +19,10 @@
 #include "overlays/overlay_shapes.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/overlay_name.h"
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
+#include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/overlays/overlay_text.h"
 #include "words/qt_plain.h"
@@ -78,6 +80,7 @@ OverlayForm::OverlayForm(edit::OverlayEditing* editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
       about_(wrappedLabel({}, this)),
+      more_(wrappedLabel({}, this)),
       problem_(wrappedLabel({}, this)),
       yaw_label_(new QLabel(tr("Heading"), this)),
       name_(new QLineEdit(this)),
@@ -119,6 +122,7 @@ OverlayForm::OverlayForm(edit::OverlayEditing* editing, QWidget* parent)
   form->addRow(yaw_label_, yaw_);
   auto* const column = columnOf({about_, form}, 4, QMargins(8, 6, 8, 6));
   column->addWidget(properties_, 1);
+  column->addWidget(more_);
   column->addLayout(rowOf({{new_key_, 1}, add_, remove_}, 4));
   column->addWidget(problem_);
   setLayout(column);
@@ -157,6 +161,7 @@ OverlayForm::OverlayForm(edit::OverlayEditing* editing, QWidget* parent)
 
 const Feature* OverlayForm::feature() const { return shown_ ? editing_->find(*shown_) : nullptr; }
 
+QString OverlayForm::moreShown() const { return more_->isHidden() ? QString() : more_->text(); }
 QString OverlayForm::problemShown() const { return problem_->isHidden() ? QString() : problem_->text(); }
 
 void OverlayForm::say(const QString& problem) {
@@ -233,21 +238,28 @@ void OverlayForm::showType() {
 
 void OverlayForm::showProperties(const Feature& feature) {
   std::vector<std::pair<QString, QString>> rows;
+  qsizetype more = 0;
   const auto properties = feature.root().member("properties");
   for (const auto& member : properties ? properties->children() : std::vector<overlays::JsonValue>()) {
     if (!properties->isObject() || hasField(feature, member.key())) continue;
-    if (rows.size() == std::size_t(kMostRows)) break;
+    if (rows.size() == std::size_t(kMostRows)) {
+      ++more;
+      continue;
+    }
     rows.emplace_back(QString::fromStdString(member.key()),
                       QString::fromStdString(std::string(member.text())));
   }
   showRows(rows);
+  sayMore(more == 0
+              ? QString()
+              : sentences::counted(tr("%1 more are not listed.", nullptr, sentences::formOf(more)), more));
 }
 
 void OverlayForm::showCommon() {
   std::vector<std::pair<QString, QString>> rows;
   const auto& keys = editing_->selected();
   std::vector<std::pair<std::string, std::optional<overlays::JsonValue>>> common;  // nullopt: several values
-  bool first = true;
+  bool first = true, cut = false;
   for (const FeatureKey key : keys) {
     const auto& feature = editing_->document().find(key);
     if (!feature) continue;
@@ -255,8 +267,10 @@ void OverlayForm::showCommon() {
       const auto properties = feature->root().member("properties");
       if (!properties || !properties->isObject()) break;
       for (const auto& member : properties->children()) {
-        const bool has_field = member.key() != "yaw" && hasField(*feature, member.key());
-        if (!has_field && common.size() < std::size_t(kMostRows)) common.emplace_back(member.key(), member);
+        if (member.key() != "yaw" && hasField(*feature, member.key())) continue;
+        cut = common.size() == std::size_t(kMostRows);
+        if (cut) break;
+        common.emplace_back(member.key(), member);
       }
       continue;
     }
@@ -272,6 +286,7 @@ void OverlayForm::showCommon() {
                       value ? QString::fromStdString(std::string(value->text())) : tr("several values"));
   }
   showRows(rows);
+  sayMore(cut ? tr("Only the first %1 properties are compared.").arg(countText(kMostRows)) : QString());
 }
 
 void OverlayForm::showRows(const std::vector<std::pair<QString, QString>>& rows) {
@@ -285,6 +300,11 @@ void OverlayForm::showRows(const std::vector<std::pair<QString, QString>>& rows)
     if (!shown_ && value == tr("several values"))
       properties_->item(row, kValueColumn)->setForeground(appColors().secondary_text);
   }
+}
+
+void OverlayForm::sayMore(const QString& sentence) {
+  more_->setText(sentence);
+  more_->setVisible(!sentence.isEmpty());
 }
 
 void OverlayForm::applyName() {
@@ -373,6 +393,8 @@ OverlayPoints::OverlayPoints(edit::OverlayEditing* editing, QWidget* parent)
   refresh();
 }
 
+QString OverlayPoints::aboutShown() const { return about_->text(); }
+
 void OverlayPoints::refresh() {
   const auto key = editing_->only();
   const Feature* const now = key ? editing_->find(*key) : nullptr;
@@ -385,8 +407,10 @@ void OverlayPoints::refresh() {
   refreshing_ = true;
   vertices_.clear();
   std::vector<Eigen::Vector2d> points;
+  std::size_t count = 0;
   const auto rings = now ? overlays::verticesOf(*now) : std::vector<std::vector<Eigen::Vector2d>>();
   for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    count += rings[ring].size();
     for (std::size_t i = 0; i < rings[ring].size() && points.size() < std::size_t(kMostRows); ++i) {
       vertices_.push_back({ring, i});
       points.push_back(rings[ring][i]);
@@ -401,9 +425,12 @@ void OverlayPoints::refresh() {
       table_->setItem(row, axis, item);
     }
   }
-  about_->setText(!now             ? tr("Nothing is selected.")
-                  : points.empty() ? tr("Its points cannot be edited here, only moved as a whole.")
-                                   : QString());
+  about_->setText(
+      !now             ? tr("Nothing is selected.")
+      : points.empty() ? tr("Its points cannot be edited here, only moved as a whole.")
+      : points.size() < count
+          ? tr("%1 of %2 points are shown.").arg(countText(qint64(points.size())), countText(qint64(count)))
+          : QString());
   about_->setVisible(!about_->text().isEmpty());
   refreshing_ = false;
 }

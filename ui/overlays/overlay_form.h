@@ -36,6 +36,7 @@ class OverlayForm : public QWidget {
   QLineEdit* newKeyEdit() const { return new_key_; }
   QPushButton* addButton() const { return add_; }
   QPushButton* removeButton() const { return remove_; }
+  QString moreShown() const;
   QString problemShown() const;
 
  private:
@@ -46,6 +47,7 @@ class OverlayForm : public QWidget {
   /// Those that all of several selected ones have.
   void showCommon();
   void showRows(const std::vector<std::pair<QString, QString>>& rows);
+  void sayMore(const QString& sentence);
   void applyName();
   void applyValue(int row);
   void addProperty();
@@ -54,7 +56,7 @@ class OverlayForm : public QWidget {
   const Feature* feature() const;
 
   edit::OverlayEditing* editing_;
-  QLabel *about_, *problem_, *yaw_label_;
+  QLabel *about_, *more_, *problem_, *yaw_label_;
   QLineEdit *name_, *new_key_;
   QComboBox* type_;
   QDoubleSpinBox* yaw_;
@@ -71,6 +73,7 @@ class OverlayPoints : public QWidget {
  public:
   explicit OverlayPoints(edit::OverlayEditing* editing, QWidget* parent = nullptr);
   QTableWidget* table() const { return table_; }
+  QString aboutShown() const;
 
  private:
   void refresh();

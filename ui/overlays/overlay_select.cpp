@@ -7,7 +7,9 @@
 #include "geometry/pose.h"
 #include "overlays/overlay_shapes.h"
 #include "ui/overlays/overlay_text.h"
+#include "words/figures.h"
 #include "words/fixed.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -111,7 +113,8 @@ const OverlaySelect::Rings& OverlaySelect::rings() const {
       rings_ = overlays::verticesOf(*feature);  // MultiPoint, too
     std::size_t count = 0;
     for (const auto& ring : *rings_) count += ring.size();
-    if (count > kMostVertices) rings_->clear();
+    left_out_ = count > kMostVertices ? count : 0;
+    if (left_out_ > 0) rings_->clear();
   }
   return *rings_;
 }
@@ -455,7 +458,10 @@ QString OverlaySelect::hint() const {
   QString hint = editing_->saying(tr(
       "%1: drag or use the arrows to move, drag the round handle to turn, Delete deletes. Esc deselects."));
   hint[0] = hint[0].toUpper();
-  return hint;
+  (void)rings();
+  if (left_out_ == 0) return hint;
+  return words::paragraph({hint, tr("Its %1 points are too many to drag them one by one.")
+                                     .arg(QString::fromStdString(words::grouped(qint64(left_out_))))});
 }
 
 }  // namespace mapwright::ui

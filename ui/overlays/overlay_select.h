@@ -85,6 +85,7 @@ class OverlaySelect : public DragTool {
   std::set<FeatureKey> nudged_;
   // Made when they are asked for:
   mutable std::optional<Rings> rings_;
+  mutable std::size_t left_out_ = 0;  // points, as there are too many
   mutable std::optional<geometry::WorldRect> bounds_;
 };
 
