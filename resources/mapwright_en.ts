@@ -819,6 +819,23 @@
     </message>
 </context>
 <context>
+    <name>mapwright::ui::OverlayHistoryDock</name>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 are not marked on the map.</source>
+        <translation>
+            <numerusform>%1 is not marked on the map.</numerusform>
+            <numerusform>%1 are not marked on the map.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::ui::OverlayMarksDialog</name>
     <message numerus="yes">
         <source>Take over %1 marks</source>

@@ -16729,6 +16729,18 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <source>The newest version is not kept here. %1</source>
         <translation>最新版本没有保留在这里。%1</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>还有 %1 个未列出。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 are not marked on the map.</source>
+        <translation>
+            <numerusform>%1 个未标在地图上。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::OverlayMarksDialog</name>

@@ -91,6 +91,31 @@ class TestWindowOverlayHistory : public QObject {
     QVERIFY(desk.control().marks().shown().empty());
   }
 
+  void changesThatAreLeftOutAreCounted() {
+    HistoryDesk desk;
+    desk.open();
+    std::string more;
+    for (int i = 0; i < 5100; ++i) {
+      more += ",{\"id\":\"n" + std::to_string(i) +
+              "\",\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[1,1]},"
+              "\"properties\":{}}";
+    }
+    std::string text = kOverlays;
+    text.insert(text.rfind("]}"), more);
+    QVERIFY(desk.hand(text));
+    desk.control().tool()->activate();
+    QTRY_COMPARE(desk.document().size(), std::size_t(5103));
+    desk.show();
+    QTRY_COMPARE(desk.past().table()->rowCount(), 2);
+    desk.pick(0);
+    QTRY_COMPARE(desk.past().changeList()->count(), 5000);
+    QCOMPARE(desk.past().moreShown(),
+             QStringLiteral("100 more are not listed. 1,100 are not marked on the map."));
+    desk.pick(1);
+    QTRY_COMPARE(desk.past().changeList()->count(), 0);
+    QCOMPARE(desk.past().moreShown(), QString());
+  }
+
   void aVersionIsBroughtBackAsOneStep() {
     HistoryDesk desk;
     desk.open();

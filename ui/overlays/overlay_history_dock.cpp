@@ -15,6 +15,7 @@
 
 #include "overlays/overlay_merge.h"
 #include "sentences/fault_sentence.h"
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
@@ -82,6 +83,7 @@ OverlayHistoryDock::OverlayHistoryDock(OverlayHistory* history, const scene::Map
       table_(new QuietView<QTableWidget>(this)),
       changes_(new QuietView<QListWidget>(this)),
       about_(wrappedLabel({}, this)),
+      more_(wrappedLabel({}, this)),
       status_(wrappedLabel({}, this)),
       trouble_(wrappedLabel({}, this)),
       restore_(compactButton(tr("Restore this version"), this)),
@@ -117,14 +119,14 @@ OverlayHistoryDock::OverlayHistoryDock(OverlayHistory* history, const scene::Map
   changes_->setAccessibleName(tr("What the two versions differ in"));
   changes_->setWordWrap(true);
   changes_->setToolTip(tr("Click one to see it on the map"));
-  for (QLabel* label : {about_, status_, trouble_}) label->setContentsMargins(8, 4, 8, 4);
+  for (QLabel* label : {about_, more_, status_, trouble_}) label->setContentsMargins(8, 4, 8, 4);
 
   auto* const list = new QWidget(this);
   list->setLayout(
       columnOf({rowOf({{map_, 1}}, 4, QMargins(6, 4, 6, 4)), status_, {table_, 1}}, 0, QMargins()));
   auto* const differences = new QWidget(this);
-  differences->setLayout(
-      columnOf({rowOf({{against_, 1}}, 4, QMargins(6, 4, 6, 0)), about_, {changes_, 1}}, 0, QMargins()));
+  differences->setLayout(columnOf(
+      {rowOf({{against_, 1}}, 4, QMargins(6, 4, 6, 0)), about_, {changes_, 1}, more_}, 0, QMargins()));
   auto* const split = new QSplitter(Qt::Vertical, this);
   split->addWidget(list);
   split->addWidget(differences);
@@ -385,11 +387,25 @@ void OverlayHistoryDock::showCompared(std::vector<Told> changes, const QString& 
   told_ = std::move(changes);
   changes_->clear();
   std::vector<OverlayMark> marks;
+  qsizetype unmarked = 0;
   for (std::size_t i = 0; i < told_.size(); ++i) {
     if (i < kMostListed)
       changes_->addItem(new QListWidgetItem(markSample(told_[i].kind, scene_->theme()), told_[i].sentence));
-    if (marks.size() < kMostMarks) marks.insert(marks.end(), told_[i].marks.begin(), told_[i].marks.end());
+    if (marks.size() < kMostMarks) {
+      marks.insert(marks.end(), told_[i].marks.begin(), told_[i].marks.end());
+    } else if (!told_[i].marks.empty()) {
+      ++unmarked;
+    }
   }
+  const auto unlisted = qsizetype(told_.size() - std::min(told_.size(), kMostListed));
+  QStringList more;
+  if (unlisted > 0)
+    more << sentences::counted(tr("%1 more are not listed.", nullptr, sentences::formOf(unlisted)), unlisted);
+  if (unmarked > 0)
+    more << sentences::counted(tr("%1 are not marked on the map.", nullptr, sentences::formOf(unmarked)),
+                               unmarked);
+  more_->setText(words::paragraph(more));
+  more_->setVisible(!more.isEmpty());
   about_->setText(about);
   about_->setVisible(!about.isEmpty());
   marks_->show(isVisible() ? std::move(marks) : std::vector<OverlayMark>());
@@ -442,6 +458,7 @@ void OverlayHistoryDock::say(const QString& sentence) {
 }
 
 QString OverlayHistoryDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
+QString OverlayHistoryDock::moreShown() const { return more_->isHidden() ? QString() : more_->text(); }
 QString OverlayHistoryDock::troubleShown() const {
   return trouble_->isHidden() ? QString() : trouble_->text();
 }

@@ -50,6 +50,7 @@ class OverlayHistoryDock : public QDockWidget {
   QPushButton* restoreButton() const { return restore_; }
   QPushButton* saveAsButton() const { return save_as_; }
   QString statusShown() const;
+  QString moreShown() const;
   QString troubleShown() const;
 
  Q_SIGNALS:
@@ -92,7 +93,7 @@ class OverlayHistoryDock : public QDockWidget {
   QComboBox *map_, *against_;
   QTableWidget* table_;
   QListWidget* changes_;
-  QLabel *about_, *status_, *trouble_;
+  QLabel *about_, *more_, *status_, *trouble_;
   QPushButton *restore_, *save_as_;
   std::vector<Told> told_;
   quint64 listed_ = 0, filled_ = 0, compared_ = 0;  // answers to earlier questions are ignored
