@@ -15968,6 +15968,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
             <numerusform>这里还有 %1 个：Alt+单击</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 more in the properties</source>
+        <translation>属性中还有 %1 项</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::ObjectsController</name>

@@ -89,6 +89,22 @@ class TestWindowObjects : public QObject {
     QVERIFY(!bench.card()->isVisible());
   }
 
+  void aCardSaysWhatItHasNoRoomFor() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate", 4, "closed")}});
+    bench.click(5, 0.5);
+    const scene::MapObject object = bench.window->mapScene()->objects(10).front();
+    const std::vector<scene::ObjectProperty> facts(14, {QStringLiteral("Name"), QStringLiteral("value")});
+    bench.card()->show(object, facts, 0);
+    QCOMPARE(bench.card()->lines().size(), 11);
+    QCOMPARE(bench.card()->moreShown(), QStringLiteral("3 more in the properties"));
+    bench.card()->showRows(2);  // there is no room for more
+    QCOMPARE(bench.card()->moreShown(), QStringLiteral("12 more in the properties"));
+    bench.card()->show(object, {facts.begin(), facts.begin() + 11}, 0);
+    QCOMPARE(bench.card()->moreShown(), QString());
+  }
+
   void aToolInTheHandClosesTheCard() {
     ObjectBench bench;
     bench.openOnRobot();

@@ -44,17 +44,19 @@ ObjectCard::ObjectCard(const scene::MapScene& scene, QWidget* parent)
                              tr("Show everything that is known about it in a panel"), buttons_)),
       next_(cardButton(QStringLiteral("layers"), {}, tr("Show what lies beneath (Alt+click)"), buttons_)),
       close_(cardButton(QStringLiteral("close"), {}, tr("Close (Esc)"), this)),
+      more_(new PlainLabel(this)),
       hint_(new PlainLabel(this)) {
   setObjectName(QStringLiteral("card"));
   setAccessibleName(tr("What is this?"));
   symbol_->setFixedSize(kCardSymbolPx, kCardSymbolPx);
   makeHeading(*kind_);
+  more_->setSecondary(true);
   hint_->setSecondary(true);
   grid_->setHorizontalSpacing(12);
   grid_->setVerticalSpacing(2);
   grid_->setColumnStretch(1, 1);
   buttons_->setLayout(rowOf({copy_, properties_, next_, LayoutItem::rest()}, 4, QMargins()));
-  setLayout(columnOf({rowOf({symbol_, kind_, {name_, 1}, close_}, 8), grid_, hint_, buttons_}, 6,
+  setLayout(columnOf({rowOf({symbol_, kind_, {name_, 1}, close_}, 8), grid_, more_, hint_, buttons_}, 6,
                      QMargins(10, 8, 10, 8)));
   connect(copy_, &QToolButton::clicked, this, &ObjectCard::copyWanted);
   connect(properties_, &QToolButton::clicked, this, &ObjectCard::propertiesWanted);
@@ -91,6 +93,7 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
     labels_[2 * i]->setText(facts[i].name);
     labels_[2 * i + 1]->setText(facts[i].value);
   }
+  known_ = int(facts.size());
   shown_.assign(facts.begin(), facts.begin() + std::ptrdiff_t(rows));
   next_->setVisible(beneath > 0);
   next_->setText(QString::number(beneath));
@@ -106,6 +109,8 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
 void ObjectCard::showRows(int rows) {
   if (std::exchange(rows_, rows) == rows) return;
   for (std::size_t i = 0; i < labels_.size(); ++i) labels_[i]->setVisible(int(i / 2) < rows);
+  more_->setVisible(rows < known_);
+  more_->setText(tr("%1 more in the properties").arg(known_ - rows));
   // Rows have come and gone: their room is reckoned anew at once, not with the next event.
   for (PlainLabel* const label : labels_) label->updateGeometry();
   layout()->invalidate();
@@ -116,6 +121,8 @@ void ObjectCard::showRows(int rows) {
 QString ObjectCard::title() const {
   return name_->text().isEmpty() ? kind_->text() : QStringLiteral("%1 %2").arg(kind_->text(), name_->text());
 }
+
+QString ObjectCard::moreShown() const { return more_->isHidden() ? QString() : more_->text(); }
 
 QStringList ObjectCard::lines() const {
   QStringList lines;

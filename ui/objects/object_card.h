@@ -34,6 +34,7 @@ class ObjectCard : public QFrame {
   bool staying() const { return stays_; }
   QString title() const;
   QStringList lines() const;  // "State: open"
+  QString moreShown() const;
 
  Q_SIGNALS:
   void copyWanted();
@@ -48,10 +49,11 @@ class ObjectCard : public QFrame {
   QGridLayout* grid_;
   std::vector<PlainLabel*> labels_;  // name, value, name, value …
   std::vector<scene::ObjectProperty> shown_;
-  int rows_ = 0;  // of them
+  int rows_ = 0;   // of them
+  int known_ = 0;  // of everything
   QWidget* buttons_;
   QToolButton *copy_, *properties_, *next_, *close_;
-  PlainLabel* hint_;
+  PlainLabel *more_, *hint_;
   bool stays_ = false;
 };
 
