@@ -633,6 +633,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::ui::CommandPalette</name>
+    <message numerus="yes">
+        <source>%1 more are not listed: type more of the name</source>
+        <translation>
+            <numerusform>%1 more is not listed: type more of the name</numerusform>
+            <numerusform>%1 more are not listed: type more of the name</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::ui::DisagreementController</name>
     <message numerus="yes">
         <source>%1 submaps are still missing.</source>

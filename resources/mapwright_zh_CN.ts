@@ -12568,6 +12568,12 @@ Expected at %2</source>
         <source>Nothing is called that</source>
         <translation>没有叫这个名称的</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed: type more of the name</source>
+        <translation>
+            <numerusform>还有 %1 个未列出：请输入更多名称</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::CompareBar</name>

@@ -467,6 +467,29 @@ class TestWindowDialogs : public QObject {
     QVERIFY(again.isVisible());  // what cannot be done now does not run
   }
 
+  void thePaletteSaysThatMoreWasFound() {
+    loadResources();
+    Actions actions;
+    Findings findings;
+    int count = 60;
+    findings.add([&count]() -> Findings::Search {
+      return [&count](const QString&, const Findings::See& see) {
+        for (int i = 0; i < count; ++i)
+          see({QStringLiteral("Dock %1").arg(i), QStringLiteral("Waypoint"), {}, {}});
+      };
+    });
+    CommandPalette palette(actions, findings, nullptr);
+    palette.show();
+    QTest::keyClicks(palette.field(), QStringLiteral("dock"));
+    QCOMPARE(palette.list()->count(), 60);
+    count = 63;
+    palette.field()->setText(QStringLiteral("doc"));
+    QCOMPARE(palette.list()->count(), 61);
+    const QListWidgetItem* const last = palette.list()->item(60);
+    QCOMPARE(last->text(), QStringLiteral("3 more are not listed: type more of the name"));
+    QVERIFY(!last->flags().testFlag(Qt::ItemIsEnabled));
+  }
+
   void sheetShowsEveryKey() {
     loadResources();
     Actions actions;

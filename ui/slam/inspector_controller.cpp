@@ -64,22 +64,19 @@ void InspectorController::addToMapMenu() {
   });
 }
 
-/// "12-3" is one, "12-" or "12" are those of a trajectory, as far as a list shows them.
+/// "12-3" is one, "12-" or "12" are those of a trajectory.
 void InspectorController::findSubmaps(const QString& typed, const Findings::See& see) {
   session::Session* const session = context_.current.session();
   static const QRegularExpression pattern(QStringLiteral("^(\\d{1,9})(?:-(\\d{0,9}))?$"));
   const QRegularExpressionMatch match = pattern.match(typed);
   if (!session || !match.hasMatch()) return;
-  constexpr int kMost = 20;
   const int trajectory = match.captured(1).toInt();
-  int shown = 0;
   const auto& rows = session->submaps().rows();
-  for (auto row = rows.lower_bound({trajectory, 0}); row != rows.end() && shown < kMost; ++row) {
+  for (auto row = rows.lower_bound({trajectory, 0}); row != rows.end(); ++row) {
     const map::SubmapId id = row->first;
     if (id.trajectory != trajectory) break;
     const QString name = QString::fromStdString(map::toText(id));
     if (!name.startsWith(typed)) continue;
-    ++shown;
     see({tr("Submap %1").arg(name), tr("Submap"), QStringLiteral("submaps"), [this, id] {
            context_.panels.open(dock_);
            dock_->select(id);

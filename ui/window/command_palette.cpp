@@ -12,6 +12,7 @@
 #include <QStyle>
 #include <QStyledItemDelegate>
 
+#include "sentences/plural.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -173,6 +174,7 @@ void CommandPalette::fill() {
     if (score) hits.push_back({*score - demoted, &entry, 0});
   }
   found_.clear();
+  qsizetype more = 0;
   if (!typed.isEmpty()) {
     std::vector<std::pair<int, Finding>> findings;
     const QStringList words = typed.split(QLatin1Char(' '));
@@ -197,7 +199,10 @@ void CommandPalette::fill() {
       if (a.first != b.first) return a.first > b.first;
       return as_people_count.compare(a.second.text, b.second.text) < 0;
     });
-    if (findings.size() > kMostFound) findings.resize(kMostFound);
+    if (findings.size() > kMostFound) {
+      more = qsizetype(findings.size() - kMostFound);
+      findings.resize(kMostFound);
+    }
     for (auto& [score, finding] : findings) {
       hits.push_back({score, nullptr, found_.size()});
       found_.push_back(std::move(finding));
@@ -232,6 +237,14 @@ void CommandPalette::fill() {
     item->setFlags(Qt::NoItemFlags);
   } else {
     list_->setCurrentRow(0);
+  }
+  if (more > 0) {
+    auto* const item = new QListWidgetItem(
+        no_icon,
+        sentences::counted(
+            tr("%1 more are not listed: type more of the name", nullptr, sentences::formOf(more)), more),
+        list_);
+    item->setFlags(Qt::NoItemFlags);
   }
 }
 
