@@ -1219,6 +1219,13 @@
             <numerusform>Loading %1 submaps</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wire</name>

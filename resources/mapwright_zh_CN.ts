@@ -25281,6 +25281,12 @@ Qt %2，编译时为 %3</translation>
         <source>%1 %</source>
         <translation>%1%</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>还有 %1 个未列出。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>wire</name>

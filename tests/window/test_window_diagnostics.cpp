@@ -116,6 +116,20 @@ class WindowDiagnosticsTest : public QObject {
     QTRY_VERIFY(!shownIn(dialog).contains(QStringLiteral("1,234")));
   }
 
+  void transformsThatAreLeftOutAreCounted() {
+    Bench bench;
+    Diagnostics now;
+    DiagnosticsDialog dialog([&] { return now; }, bench.settings);
+    now.reception.emplace();
+    for (int i = 0; i < 8; ++i)
+      now.reception->transforms.push_back({QStringLiteral("map"), QStringLiteral("f%1").arg(i), 1});
+    QVERIFY(!dialog.text().contains(QLatin1String("not listed")));
+    for (int i = 8; i < 11; ++i)
+      now.reception->transforms.push_back({QStringLiteral("map"), QStringLiteral("f%1").arg(i), 1});
+    QVERIFY2(dialog.text().endsWith(QLatin1String("f7 in map\t1.0\n3 more are not listed.\t")),
+             qPrintable(dialog.text()));
+  }
+
   void openedAgainItIsTheSameOne() {
     Bench bench;
     bench.open();

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
@@ -71,7 +72,15 @@ Table transformsOf(const robot::Reception& now) {
                QCoreApplication::translate("window", "Age, s")},
               {}};
   for (const robot::Reception::TransformAge& one : now.transforms) {
-    if (table.rows.size() == kMost) break;
+    if (table.rows.size() == kMost) {
+      const auto more = qsizetype(now.transforms.size()) - kMost;
+      const int form = sentences::formOf(more);
+      table.rows << Row{
+          sentences::counted(QCoreApplication::translate("window", "%1 more are not listed.", nullptr, form),
+                             more),
+          QString()};
+      break;
+    }
     table.rows << Row{QCoreApplication::translate("window", "%1 in %2")
                           .arg(plainWords(one.child, 60), plainWords(one.parent, 60)),
                       QString::number(one.age_s, 'f', 1)};

@@ -27,7 +27,6 @@ constexpr qint64 kPoseMissingMs = 2'000;             // before it is told that i
 constexpr qint64 kTellAgainMs = 5'000;
 constexpr qint64 kReceptionEveryMs = 1'000;
 constexpr double kLateS = 1;
-constexpr std::size_t kMostAges = 100;
 constexpr qint64 kShownWhole = 64 * 1024;  // longer messages are shortened for the inspector
 
 map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
@@ -466,7 +465,6 @@ void RosLink::notifyReception() {
   Reception now = reception_;
   now.dropped = qint64(outputs_->mailbox.replaced() + world_.replaced() - before_);
   for (const auto& [pair, age_s] : world_.ages(wall())) {
-    if (now.transforms.size() == kMostAges) break;
     now.transforms.push_back(
         {QString::fromStdString(pair.parent), QString::fromStdString(pair.child), age_s});
   }
