@@ -19801,6 +19801,10 @@ Theirs: %6</source>
         <source>No reference map. Choose a plan or an older map of this place, to lay it under the map on screen.</source>
         <translation>没有参考地图。请选择本地点的平面图或旧地图，把它铺在屏幕上的地图下面。</translation>
     </message>
+    <message>
+        <source>There are %1 pairs of points already, the most that are kept. Remove one first.</source>
+        <translation>已有 %1 对点，达到上限。请先移除一对。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::ReferenceDock</name>

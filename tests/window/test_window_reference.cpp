@@ -8,6 +8,7 @@
 
 #include "reference_bench.h"
 #include "test_program.h"
+#include "ui/maps/reference_tool.h"
 #include "ui/scene/map_scene.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -147,6 +148,24 @@ class TestWindowReference : public QObject {
     dock->xBox()->setValue(20);
     QMetaObject::invokeMethod(dock, "fitWanted");
     QVERIFY(near(bench.reference()->pose(), {3, 0, 0}, 0.06));
+  }
+
+  void aPairTooManyIsRefusedWithAWord() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    auto* const tool = part<ReferenceTool>(window);
+    const placing::PointPair pair{{1, 2}, {3, 4}};
+    for (int i = 0; i < 200; ++i) Q_EMIT tool->paired(pair);
+    QCOMPARE(dock->table()->model()->rowCount(), 200);
+    auto* const toasts = part<MapOverlay>(window)->toasts();
+    const QString refused =
+        QStringLiteral("There are 200 pairs of points already, the most that are kept. Remove one first.");
+    QVERIFY(!toasts->texts().contains(refused));
+    Q_EMIT tool->paired(pair);
+    QCOMPARE(dock->table()->model()->rowCount(), 200);
+    QVERIFY2(toasts->texts().contains(refused), qPrintable(toasts->texts().join(QLatin1Char('\n'))));
   }
 
   void garbageThatIsRememberedIsNothing() {

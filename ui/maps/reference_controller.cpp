@@ -465,7 +465,10 @@ void ReferenceController::change(const QString& what, Laid laid, int drag) {
 }
 
 void ReferenceController::setPairs(const QString& what, std::vector<placing::PointPair> pairs) {
-  if (pairs.size() > kMostPairs) return;
+  if (pairs.size() > kMostPairs)
+    return context_.overlay.toasts()->add(
+        Mark::Warning, tr("There are %1 pairs of points already, the most that are kept. Remove one first.")
+                           .arg(kMostPairs));
   const geometry::Pose2 pose = placing::alignedBy(pairs, laid_.pose);
   change(what, {pose, std::move(pairs)});
 }
