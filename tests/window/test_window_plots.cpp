@@ -382,6 +382,19 @@ void TestWindowPlots::aRobotThatSpeaksIsPlottedAsItComes() {
   now_s = kStart_s + 4.9 + PlotFeed::kLive_s;
   QTRY_VERIFY(plot->curves()[1].series->size() <= 20);
   QCOMPARE(feed.fields(), QStringList{QStringLiteral("/t.a")});
+  // Behind those of a long list that are offered there are others.
+  robot::RawMessage long_one;
+  long_one.topic = QStringLiteral("/t");
+  long_one.received = QDateTime::fromMSecsSinceEpoch(qint64(now_s * 1000));
+  long_one.text = "{\"a\":1,\"list\":[" + QByteArray("0,").repeated(19) + "0]}";
+  Q_EMIT robot->rawReceived(long_one);
+  QVERIFY(!feed.fields().contains(QStringLiteral("/t.list[19]")));
+  for (const int index : {19, 20}) {
+    dock.pathEdit()->setText(QStringLiteral("/t.list[%1]").arg(index));
+    dock.addTyped();
+    QCOMPARE(dock.saidText().contains(QStringLiteral("No message so far")), index == 20);
+    dock.removeCurve(plot, 2);
+  }
   dock.removeCurve(plot, 1);
   QCOMPARE(raw.size(), 2);
   QCOMPARE(raw[1][0].toBool(), false);

@@ -197,12 +197,25 @@ void PlotFeed::putIn(double from_s, double until_s, std::vector<Read> all) {
 
 QStringList PlotFeed::fields() const {
   QStringList words;
-  const auto add = [&](const std::string& topic, std::string_view json) {
+  eachLast([&](const std::string& topic, std::string_view json) {
     if (json.size() > kSmall) return;
     for (const series::FieldPath& path : series::numericFields(topic, json)) {
       if (std::size_t(words.size()) < kMostFields) words << QString::fromStdString(path.text());
     }
-  };
+  });
+  return words;
+}
+
+bool PlotFeed::lacks(const series::FieldPath& path) const {
+  bool lacks = false;
+  eachLast([&](const std::string& topic, std::string_view json) {
+    if (topic != path.topic || json.size() > kSmall || series::numericFields(topic, json, 1).empty()) return;
+    lacks = !series::FieldReader({path}).read(topic, json).front();
+  });
+  return lacks;
+}
+
+void PlotFeed::eachLast(const std::function<void(const std::string&, std::string_view)>& see) const {
   if (reading_ && reading_->info()) {
     std::map<std::string, std::string_view> by_topic;  // the last message of each
     std::vector<replay::ChunkPtr> held;
@@ -216,11 +229,10 @@ QStringList PlotFeed::fields() const {
       for (const std::uint32_t index : chunk->back_filled) look(chunk->source->messages[index]);
       for (std::size_t index = 0; index < chunk->order.size(); ++index) look(chunk->at(index));
     }
-    for (const auto& [topic, json] : by_topic) add(topic, json);
+    for (const auto& [topic, json] : by_topic) see(topic, json);
   } else {
-    for (const auto& [topic, json] : last_raw_) add(topic, {json.constData(), std::size_t(json.size())});
+    for (const auto& [topic, json] : last_raw_) see(topic, {json.constData(), std::size_t(json.size())});
   }
-  return words;
 }
 
 // Of a live robot: the last half hour.

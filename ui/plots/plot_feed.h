@@ -6,6 +6,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <QObject>
@@ -48,6 +50,8 @@ class PlotFeed : public QObject {
 
   /// Paths that can be plotted, for completion; from the messages in memory.
   QStringList fields() const;
+  /// The last message of its topic is known, and has numbers, but not this one.
+  bool lacks(const series::FieldPath& path) const;
   double now() const { return wall_(); }
 
  Q_SIGNALS:
@@ -69,6 +73,8 @@ class PlotFeed : public QObject {
 
   void clear();
   void updateSoon();
+  /// The last message of each topic in memory.
+  void eachLast(const std::function<void(const std::string& topic, std::string_view json)>& see) const;
   // Of a bag.
   void catchUp();
   void addPoses(const replay::Digest& digest, const Selections& selections);

@@ -276,13 +276,9 @@ void PlotsDock::addTyped() {
   if (!addCurve(atHand(), *path)) return;
   path_->clear();
   // It is only likely to be a typo if other numbers of the topic are known.
-  const QStringList known = feed_.fields();
-  const QString word = QString::fromStdString(path->text()), topic = QString::fromStdString(path->topic);
-  const bool of_topic = std::any_of(known.begin(), known.end(),
-                                    [&](const QString& each) { return each.startsWith(topic + u'.'); });
-  if (of_topic && !known.contains(word))
+  if (feed_.lacks(*path))
     say(tr("No message so far has a number %1. It will be drawn as soon as one does.")
-            .arg(plainWords(word, 100)));
+            .arg(plainWords(path->text(), 100)));
 }
 
 void PlotsDock::say(const QString& sentence) {
