@@ -1185,6 +1185,20 @@
             <numerusform>%1 markers are left out or cut: they cannot be read, or there are too many.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more waypoints were left out.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more waypoints have no direction, or a frame that is unknown.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>submap</name>

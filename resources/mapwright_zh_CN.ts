@@ -23786,6 +23786,18 @@ Theirs: %6</source>
             <numerusform>%1 个标记被略去或截短：无法读取，或者数量太多。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 more waypoints were left out.</source>
+        <translation>
+            <numerusform>还有 %1 个路径点已略去。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more waypoints have no direction, or a frame that is unknown.</source>
+        <translation>
+            <numerusform>还有 %1 个路径点没有方向，或其坐标系未知。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>scene</name>

@@ -14,6 +14,7 @@
 #include "robot/ros/kabam_state.h"
 #include "ros_messages.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "test_program.h"
 
 namespace test_kabam_parts {
@@ -158,6 +159,16 @@ class KabamPartsTest : public QObject {
                                                  {stored->points.front().name, "odom"}}}));
     QVERIFY(readWaypoints(byJson(list).msg, "m1", "odom")->notes.empty());
     QVERIFY(readWaypoints(byJson(list).msg, "m1", "map")->points.empty());
+  }
+
+  void waypointsThatAreLeftOutAreAllCounted() {
+    QByteArray row = kRow;
+    row.replace("\"frame_id\":\"map\"", "\"frame_id\":\"odom\"");
+    const QByteArray list = "{\"waypoints\":[" + (row + ',').repeated(23) + row + "]}";
+    const auto stored = readWaypoints(byJson(list).msg, "m1", "map");
+    QVERIFY(stored && stored->points.empty());
+    QCOMPARE(stored->notes.size(), std::size_t(21));
+    QCOMPARE(sentences::sentenceOf(stored->notes.back()), QStringLiteral("4 more waypoints were left out."));
   }
 
   void aZeroOrientationIsShownUprightAndLeftAlone() {

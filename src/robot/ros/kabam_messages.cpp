@@ -24,6 +24,11 @@ namespace mapwright::robot::ros {
 namespace {
 
 constexpr int kMostNotes = 20;
+/// how many
+constexpr FaultCode kMoreLeftOut{"ros", QT_TRANSLATE_N_NOOP("ros", "%1 more waypoints were left out.")};
+/// how many
+constexpr FaultCode kMoreOdd{
+    "ros", QT_TRANSLATE_N_NOOP("ros", "%1 more waypoints have no direction, or a frame that is unknown.")};
 
 using words::text;
 
@@ -187,9 +192,13 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
   if (!rows.isList()) return std::nullopt;
   StoredWaypoints stored;
   std::set<std::string> ids;
-  std::int64_t nameless = 0, placeless = 0;
-  const auto addNote = [&](FaultCode code, std::vector<FaultArgument> arguments) {
-    if (int(stored.notes.size()) < kMostNotes) stored.notes.push_back({code, std::move(arguments)});
+  std::int64_t nameless = 0, placeless = 0, left_out = 0, odd = 0;
+  const auto addNote = [&](FaultCode code, std::vector<FaultArgument> arguments, std::int64_t& more) {
+    if (int(stored.notes.size()) < kMostNotes) {
+      stored.notes.push_back({code, std::move(arguments)});
+    } else {
+      ++more;
+    }
   };
   rows.each([&](const Field& row) {
     const std::string of = row["map_id"].text();
@@ -198,26 +207,29 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     auto read = waypointOf(row);
     map::Waypoint* const point = read ? &read->point : nullptr;
     if (read && read->zero_turn)
-      addNote(fault::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name});
+      addNote(fault::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name}, odd);
     if (!point) {
       ++placeless;
     } else if (point->id.empty()) {
       ++nameless;
     } else if (!frame.empty() && !fixed_frame.empty() && frame != fixed_frame) {
       addNote(faultText("ros", "Waypoint \"%1\" is in the frame %2 instead of %3. It was left out."),
-              {point->name.empty() ? point->id : point->name, frame, fixed_frame});
+              {point->name.empty() ? point->id : point->name, frame, fixed_frame}, left_out);
     } else if (!ids.insert(point->id).second) {
-      addNote(robot::wire::fault::WaypointIdTwice, {point->id});
+      addNote(robot::wire::fault::WaypointIdTwice, {point->id}, left_out);
     } else {
       // Without a map its frame is unknown: this is the usual name.
       if (!frame.empty() && fixed_frame.empty() && frame != "map")
-        addNote(fault::WaypointFrameUnknown, {point->name.empty() ? point->id : point->name, frame});
+        addNote(fault::WaypointFrameUnknown, {point->name.empty() ? point->id : point->name, frame}, odd);
       if (read->zero_turn) stored.zero_turns.insert(point->id);
       stored.points.push_back(std::move(*point));
     }
   });
-  if (nameless > 0) addNote(robot::wire::fault::RowsWithoutId, {nameless});
-  if (placeless > 0) addNote(robot::wire::fault::PointsUnplaced, {placeless});
+  for (const auto& [code, count] : {std::pair(kMoreLeftOut, left_out), std::pair(kMoreOdd, odd),
+                                    std::pair(robot::wire::fault::RowsWithoutId, nameless),
+                                    std::pair(robot::wire::fault::PointsUnplaced, placeless)}) {
+    if (count > 0) stored.notes.push_back({code, {count}});
+  }
   stored.revision = revisionOf(stored.points);
   return stored;
 }
