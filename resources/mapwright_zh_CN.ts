@@ -18154,6 +18154,10 @@ Theirs: %6</source>
         <source>Changed differently here and elsewhere: %1. Which version do you want to keep?</source>
         <translation>在这里和别处改得不同：%1。保留哪个版本？</translation>
     </message>
+    <message>
+        <source>Not all of it is marked on the map.</source>
+        <translation>并非全部都标在地图上。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::PictureSwipe</name>

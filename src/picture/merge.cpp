@@ -131,7 +131,8 @@ Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_r
         const Kind becomes = kinds[is[u]];
         while (u + 1 < kEdge && was[u + 1] != is[u + 1] && kinds[is[u + 1]] == becomes) ++u;
         changes.become[std::size_t(becomes)] += u + 1 - from;
-        if (changes.runs.size() < most_runs)
+        changes.all = changes.runs.size() < most_runs;
+        if (changes.all)
           changes.runs.push_back(
               {CellRect{from, v, u + 1, v + 1}.moved(key.x * kEdge, key.y * kEdge), becomes});
       }

@@ -47,6 +47,7 @@ struct ChangedRun {
 /// `most_runs`, and the number of cells that become each kind, counting all.
 struct Changes {
   std::vector<ChangedRun> runs;
+  bool all = true;  // of them
   std::array<std::int64_t, kKinds> become{};
 };
 Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_runs);

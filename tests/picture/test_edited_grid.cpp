@@ -4,6 +4,7 @@
 #include "cells.h"
 #include "picture/canvas.h"
 #include "picture/draw.h"
+#include "picture/merge.h"
 #include "test_program.h"
 
 namespace test_edited_grid {
@@ -85,6 +86,19 @@ class TestEditedGrid : public QObject {
     grid.apply(canvas.take());
     // 128 would read as unknown: the nearest gray that does not.
     QCOMPARE(int(grid.tile(1, 0, 0)->cells.get()[0]), 144);
+  }
+
+  void marksThatAreLeftOutAreTold() {
+    EditedGrid grid(pyramidOf(300, 300, test::speckled));
+    Canvas canvas(grid);
+    drawRectangle(canvas, {0, 0, 100, 100}, {byteOf('#'), {}});
+    const Patch patch = canvas.take();
+    const Changes whole = changesOf(grid, patch, 100'000), some = changesOf(grid, patch, 10);
+    QVERIFY(whole.all && whole.runs.size() > 10);
+    QVERIFY(!some.all);
+    QCOMPARE(some.runs.size(), std::size_t(10));
+    QCOMPARE(some.become, whole.become);
+    QVERIFY(changesOf(grid, patch, whole.runs.size()).all);
   }
 
   void undoingAndRedoingGiveTheSameTiles() {

@@ -18,6 +18,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
+#include "words/listed.h"
 
 namespace mapwright::ui {
 
@@ -338,10 +339,11 @@ QString PictureDock::previewText() const {
   const edit::TidyPreview& preview = *editing_->preview();
   if (preview.step.patch.empty()) return tr("There is nothing to clean up.");
   const QString cells = edit::cellsText(preview.found.cells);
-  if (preview.what != edit::Tidying::Specks) return tr("Changes %1.").arg(cells);
   const QString specks = sentences::counted(tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)),
                                             preview.found.pieces);
-  return tr("Removes %1 (%2).").arg(specks, cells);
+  return words::paragraph({preview.what == edit::Tidying::Specks ? tr("Removes %1 (%2).").arg(specks, cells)
+                                                                 : tr("Changes %1.").arg(cells),
+                           preview.changes.all ? QString() : tr("Not all of it is marked on the map.")});
 }
 
 QStringList PictureDock::legend() const {
