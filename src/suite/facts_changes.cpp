@@ -346,7 +346,7 @@ std::vector<FactChange> changesBetween(const Facts& before, const Facts& after) 
 Explanation explained(const compare::Comparison& comparison, const geometry::ViewTransform& view,
                       const std::vector<FactChange>& changes) {
   Explanation made;
-  made.near.resize(std::min(kMostExplained, comparison.clusters.size()));
+  made.near.resize(comparison.clusters.size());
   std::vector<geometry::WorldRect> places;
   for (std::size_t i = 0; i < made.near.size(); ++i)
     places.push_back(

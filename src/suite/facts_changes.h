@@ -22,12 +22,11 @@ std::vector<FactChange> changesBetween(const Facts& before, const Facts& after);
 
 /// Changes by where the pictures differ.
 struct Explanation {
-  std::vector<QStringList> near;  // for each of the first clusters: what changed there
+  std::vector<QStringList> near;  // for each of the clusters: what changed there
   QStringList everywhere;         // changes that may be the cause of any cluster
   QStringList somewhere;          // changes whose place is unknown, where others explain every cluster
   QStringList elsewhere;          // changes near none of the clusters
 };
-inline constexpr std::size_t kMostExplained = 50;  // clusters
 Explanation explained(const compare::Comparison& comparison, const geometry::ViewTransform& view,
                       const std::vector<FactChange>& changes);
 

@@ -316,6 +316,16 @@ class SuiteFactsTest : public QObject {
     QCOMPARE(why.somewhere + why.everywhere, QStringList());
     QCOMPARE(why.elsewhere.size(), 2);
   }
+  void whatChangedNearOneOfManyClustersIsNotElsewhere() {
+    const Facts before = withBlack({}), after = withBlack({{400, 300}});
+    std::vector<compare::PixelBox> boxes(70, {10, 10, 1, 1});
+    boxes.push_back({400, 300, 1, 1});
+    const suite::Explanation why =
+        suite::explained(differingAt(boxes), *after.view, suite::changesBetween(before, after));
+    QCOMPARE(why.near.size(), std::size_t(71));
+    QCOMPARE(why.near.back().size(), 1);
+    QVERIFY(why.elsewhere.isEmpty());
+  }
   void blocksThatTouchAreOnePlace() {
     QCOMPARE(
         wordsOf(withBlack({}), withBlack({{10, 10}, {20, 20}, {40, 30}})),
