@@ -17085,6 +17085,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <source>Taken from the robot: %1</source>
         <translation>取自机器人：%1</translation>
     </message>
+    <message>
+        <source>The newest %1 collections of the robot were read, of %2.</source>
+        <translation>机器人共有 %2 次采集，已读取最新的 %1 次。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::OverlayTool</name>

@@ -23,6 +23,12 @@ struct Sighting {
   bool operator==(const Sighting&) const = default;
 };
 
+struct CollectedLandmarks {
+  std::vector<map::Landmark> landmarks;
+  std::size_t files = 0;  // that they were read from: the newest
+  std::size_t older = 0;  // that were not read
+};
+
 /// Capability of an OverlayStore: things become overlays where the robot sees them. Requests change nothing.
 class SightingSource {
  public:
@@ -30,7 +36,7 @@ class SightingSource {
   /// From where it stands. That it sees none is a failure with a sentence.
   virtual Call look(Sight what, SightEdge edge, OutcomeTo<Sighting> reply) = 0;
   /// The landmarks that it has collected; of those with the same id the newest.
-  virtual Call collectedLandmarks(OutcomeTo<std::vector<map::Landmark>> reply) = 0;
+  virtual Call collectedLandmarks(OutcomeTo<CollectedLandmarks> reply) = 0;
   /// Topics that bring landmarks and barcodes while it drives (map::LandmarksMessage, map::BarcodeMessage).
   virtual QStringList topics() const = 0;
 };

@@ -34,10 +34,9 @@ struct Bench {
     if (!QTest::qWaitFor([&] { return outcome.has_value(); }, 60'000)) qFatal("no outcome");
     return std::move(*outcome);
   }
-  Outcome<std::vector<map::Landmark>> collected() {
-    std::optional<Outcome<std::vector<map::Landmark>>> outcome;
-    source().collectedLandmarks(
-        [&](Outcome<std::vector<map::Landmark>> given) { outcome = std::move(given); });
+  Outcome<CollectedLandmarks> collected() {
+    std::optional<Outcome<CollectedLandmarks>> outcome;
+    source().collectedLandmarks([&](Outcome<CollectedLandmarks> given) { outcome = std::move(given); });
     if (!QTest::qWaitFor([&] { return outcome.has_value(); }, 60'000)) qFatal("no outcome");
     return std::move(*outcome);
   }
@@ -67,8 +66,18 @@ class AxbotSightingsTest : public QObject {
     const auto names = axbot::parseCollectedNames(
         R"([{"filename":"b","modified_time":"2"},{"filename":"a","modified_time":"1"},{"size":"3"}])");
     QVERIFY(names);
-    QCOMPARE(*names, (std::vector<std::string>{"a", "b"}));
+    QCOMPARE(names->newest, (std::vector<std::string>{"a", "b"}));
+    QCOMPARE(names->older, std::size_t(0));
     QVERIFY(!axbot::parseCollectedNames("{}"));
+    std::string many;
+    for (int i = 10; i < 70; ++i)
+      many += (i == 10 ? "{\"filename\":\"f" : ",{\"filename\":\"f") + std::to_string(i) +
+              "\",\"modified_time\":\"" + std::to_string(i) + "\"}";
+    const auto newest = axbot::parseCollectedNames('[' + many + ']');
+    QVERIFY(newest);
+    QCOMPARE(newest->newest.size(), std::size_t(50));
+    QCOMPARE(newest->newest.front(), std::string("f20"));
+    QCOMPARE(newest->older, std::size_t(10));
   }
 
   void everyKindIsSeen() {
@@ -93,15 +102,16 @@ class AxbotSightingsTest : public QObject {
     QCOMPARE(sentences::failureReason(charger.error()), std::string("The robot sees no charger here."));
     QCOMPARE(sentences::failureReason(rack.error()), std::string("The robot sees no rack here."));
     QVERIFY(sentences::failureReason(pallet.error()).find("Nothing was detected") != std::string::npos);
-    QVERIFY(bench.collected() && bench.collected()->empty());
+    QVERIFY(bench.collected() && bench.collected()->landmarks.empty());
   }
 
   void collectedLandmarksAreRead() {
     Bench bench;
     const auto found = bench.collected();
     QVERIFY(found);
-    QCOMPARE(found->size(), std::size_t(6));
-    QCOMPARE(found->front().id, std::string("landmark_1"));
+    QCOMPARE(found->landmarks.size(), std::size_t(6));
+    QCOMPARE(found->files, std::size_t(1));
+    QCOMPARE(found->landmarks.front().id, std::string("landmark_1"));
   }
 };
 

@@ -13,6 +13,7 @@
 #include "session/session.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/status_text.h"
 #include "ui/overlays/overlay_marks_dialog.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/scene/drawing.h"
@@ -199,9 +200,16 @@ void OverlayTeaching::collect() {
   if (dialog_) return dialog_->raise();
   robot::SightingSource* const sees = source();
   if (!sees || !there_ || !editing_->editable() || asking()) return;
-  call_ = sees->collectedLandmarks([this](robot::Outcome<std::vector<map::Landmark>> outcome) {
+  call_ = sees->collectedLandmarks([this](robot::Outcome<robot::CollectedLandmarks> outcome) {
     QMetaObject::invokeMethod(this, &OverlayTeaching::refresh, Qt::QueuedConnection);
-    if (outcome) return offer(*outcome, {});
+    if (outcome) {
+      const auto older = qint64(outcome->older);
+      return offer(outcome->landmarks, older == 0
+                                           ? QString()
+                                           : tr("The newest %1 collections of the robot were read, of %2.")
+                                                 .arg(countText(qint64(outcome->files)),
+                                                      countText(qint64(outcome->files) + older)));
+    }
     if (outcome.error().kind == map::FailureKind::Cancelled) return;
     offer({}, tr("What the robot has collected earlier could not be read. %1")
                   .arg(QString::fromStdString(sentences::failureReason(outcome.error()))));

@@ -56,7 +56,7 @@ class Sightings : public SightingSource {
   Call look(Sight what, SightEdge edge, OutcomeTo<Sighting> reply) override {
     return sightings_.ask(kHere, std::move(reply), &SightingRequests::look, what, edge);
   }
-  Call collectedLandmarks(OutcomeTo<std::vector<map::Landmark>> reply) override {
+  Call collectedLandmarks(OutcomeTo<CollectedLandmarks> reply) override {
     return sightings_.ask(kHere, std::move(reply), &SightingRequests::collectedLandmarks);
   }
   QStringList topics() const override { return sightingTopics(); }

@@ -75,7 +75,7 @@ tl::expected<Sighting, Fault> parseSighting(std::string_view body, Sight what) {
   return Sighting{*pose, wire::text(*root, {"ref"})};
 }
 
-tl::expected<std::vector<std::string>, Fault> parseCollectedNames(std::string_view body) {
+tl::expected<CollectedNames, Fault> parseCollectedNames(std::string_view body) {
   wire::JsonReader reader;
   const auto root = reader.read(body);
   const auto rows = root ? wire::asList(*root, {"files"}) : std::nullopt;
@@ -88,9 +88,9 @@ tl::expected<std::vector<std::string>, Fault> parseCollectedNames(std::string_vi
     found.emplace_back(plain ? std::string() : wire::text(row, {"modified_time"}), std::move(name));
   }
   std::stable_sort(found.begin(), found.end());
-  if (found.size() > kMostFiles) found.erase(found.begin(), found.end() - kMostFiles);
-  std::vector<std::string> names;
-  for (auto& [time, name] : found) names.push_back(std::move(name));
+  CollectedNames names{{}, found.size() - std::min(found.size(), kMostFiles)};
+  found.erase(found.begin(), found.begin() + std::ptrdiff_t(names.older));
+  for (auto& [time, name] : found) names.newest.push_back(std::move(name));
   return names;
 }
 
@@ -109,18 +109,20 @@ void SightingRequests::look(const Task& task, Sight what, SightEdge edge, Outcom
 
 struct SightingRequests::Collecting {
   Task task;
-  OutcomeTo<std::vector<map::Landmark>> reply;
+  OutcomeTo<CollectedLandmarks> reply;
   std::vector<std::string> names;
   std::size_t next = 0;
-  std::vector<map::Landmark> found = {};
+  CollectedLandmarks found = {};
 };
 
-void SightingRequests::collectedLandmarks(const Task& task, OutcomeTo<std::vector<map::Landmark>> reply) {
+void SightingRequests::collectedLandmarks(const Task& task, OutcomeTo<CollectedLandmarks> reply) {
   wire::send(task, server_.http, server_.request(kCollectedPath),
              [this, task, reply = std::move(reply)](const net::HttpAnswer& answer) {
                auto names = wire::outcomeOf(answer, here(), parseCollectedNames);
                if (!names) return reply(fail(std::move(names.error())));
-               nextFile(std::make_shared<Collecting>(Collecting{task, reply, std::move(*names)}));
+               CollectedLandmarks found{{}, names->newest.size(), names->older};
+               nextFile(std::make_shared<Collecting>(
+                   Collecting{task, reply, std::move(names->newest), 0, std::move(found)}));
              });
 }
 
@@ -130,12 +132,12 @@ void SightingRequests::nextFile(const std::shared_ptr<Collecting>& collecting) {
   wire::send(collecting->task, server_.http, server_.request(path),
              [this, collecting](const net::HttpAnswer& answer) {
                if (!answer.ok()) return collecting->reply(fail(wire::failed(answer, here())));
+               std::vector<map::Landmark>& found = collecting->found.landmarks;
                for (const map::WholeMap::Landmark& mark : parseLandmarks(wire::view(answer.body))) {
                  if (mark.id.empty()) continue;
-                 auto known = std::find_if(collecting->found.begin(), collecting->found.end(),
+                 auto known = std::find_if(found.begin(), found.end(),
                                            [&](const map::Landmark& each) { return each.id == mark.id; });
-                 if (known == collecting->found.end())
-                   known = collecting->found.insert(known, map::Landmark{mark.id, {0, 0}, {}});
+                 if (known == found.end()) known = found.insert(known, map::Landmark{mark.id, {0, 0}, {}});
                  known->position_m = mark.position_m;
                }
                nextFile(collecting);

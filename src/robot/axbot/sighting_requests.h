@@ -17,7 +17,11 @@ namespace mapwright::robot::axbot {
 /// {"pose": {"pos": [x, y], "ori": rad}, "ref"}. Without a pose: it sees none.
 tl::expected<Sighting, Fault> parseSighting(std::string_view body, Sight what);
 /// The names of a list of files, oldest first.
-tl::expected<std::vector<std::string>, Fault> parseCollectedNames(std::string_view body);
+struct CollectedNames {
+  std::vector<std::string> newest;  // the oldest of them first
+  std::size_t older = 0;            // that are left out
+};
+tl::expected<CollectedNames, Fault> parseCollectedNames(std::string_view body);
 
 QStringList sightingTopics();
 
@@ -27,7 +31,7 @@ class SightingRequests {
   explicit SightingRequests(RobotServer server) : server_(std::move(server)) {}
 
   void look(const Task& task, Sight what, SightEdge edge, OutcomeTo<Sighting> reply);
-  void collectedLandmarks(const Task& task, OutcomeTo<std::vector<map::Landmark>> reply);
+  void collectedLandmarks(const Task& task, OutcomeTo<CollectedLandmarks> reply);
 
  private:
   struct Collecting;
