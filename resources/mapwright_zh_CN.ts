@@ -15795,6 +15795,10 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <source>%1  %2, %3%4</source>
         <translation>%1  %2，%3%4</translation>
     </message>
+    <message>
+        <source>Only %1 topics are listed. Messages of others have come, too.</source>
+        <translation>只列出 %1 个话题，也收到了其他话题的消息。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::MirrorTool</name>

@@ -362,6 +362,32 @@ class TestWindowObjects : public QObject {
     QVERIFY(messages->table()->currentIndex().isValid());
   }
 
+  void topicsBeyondThoseThatAreListedAreTold() {
+    ObjectBench bench;
+    bench.prepare = [](test::FakeRobot& made) { made.has_live = true; };
+    MainWindow& window = bench.openOnRobot();
+    auto* const messages = part<MessagesDock>(window);
+    messages->show();
+    messages->raise();
+    QTRY_VERIFY(messages->watching());
+    const auto say = [&](int from, int until) {
+      for (int i = from; i < until; ++i) {
+        robot::RawMessage message;
+        message.topic = QStringLiteral("/many%1").arg(i);
+        message.text = "1";
+        Q_EMIT bench.robot->rawReceived(message);
+      }
+      messages->refresh();
+    };
+    say(0, 400);
+    QCOMPARE(messages->moreShown(), QString());
+    say(400, 501);
+    QCOMPARE(messages->moreShown(),
+             QStringLiteral("Only 500 topics are listed. Messages of others have come, too."));
+    messages->clearButton()->click();
+    QCOMPARE(messages->moreShown(), QString());
+  }
+
   void thingsHaveTheSymbolsOfTheLegend() {
     ObjectBench bench;
     bench.prepare = [](test::FakeRobot& made) { made.has_live = true; };

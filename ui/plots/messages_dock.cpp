@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QFontDatabase>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -51,6 +52,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
       table_(new QuietTableView(this)),
       message_(new MessageView(this)),
       caption_(new PlainLabel(this)),
+      more_(wrappedLabel({}, this)),
       filter_(new QLineEdit(this)),
       topic_(new QLineEdit(this)),
       known_(new QStringListModel(this)),
@@ -67,6 +69,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   message_->setFrameShape(QFrame::NoFrame);
   message_->setAccessibleName(tr("Last message"));
   connect(message_, &MessageView::plotWanted, this, &MessagesDock::plotWanted);
+  more_->setContentsMargins(8, 2, 8, 4);
   caption_->setSecondary(true);
   caption_->setSample(QStringLiteral("x"));
   caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -81,7 +84,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   split_->setHandleWidth(1);
   split_->setChildrenCollapsible(false);
   auto* body = new QWidget(this);
-  body->setLayout(columnOf({buildControls(), {split_, 1}}, 0, QMargins()));
+  body->setLayout(columnOf({buildControls(), {split_, 1}, more_}, 0, QMargins()));
   setWidget(body);
 
   refresh_timer_.setSingleShot(true);
@@ -273,11 +276,16 @@ void MessagesDock::refresh() {
   shown_ms_ = now();
   model_->sync(log_, shown_ms_);
   clear_->setEnabled(model_->rowCount() > 0);
+  more_->setVisible(log_.dropped() > 0);
+  more_->setText(
+      tr("Only %1 topics are listed. Messages of others have come, too.").arg(TopicLog::kMaxTopics));
   showMessage(false);
   // Rates decrease even without messages: updated as long as there are rows. Those of a recording pause with
   // it.
   if (watching_ && model_->rowCount() > 0 && !replayOf(session_)) refresh_timer_.start(kIdleMs);
 }
+
+QString MessagesDock::moreShown() const { return more_->isHidden() ? QString() : more_->text(); }
 
 void MessagesDock::expectAgain() {
   if (!replayOf(session_)) return;

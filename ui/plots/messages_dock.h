@@ -12,6 +12,7 @@
 #include "ui/plots/plot_selection.h"
 #include "ui/plots/topics_model.h"
 
+class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSplitter;
@@ -42,6 +43,7 @@ class MessagesDock : public QDockWidget {
   QPushButton* copyButton() const { return copy_; }
   MessageView* messageView() const { return message_; }
   QString chosenTopic() const { return chosen_; }
+  QString moreShown() const;
   /// All that can be looked at: those that have come, and those that the robot offers.
   QStringList knownTopics() const;
   bool watching() const { return watching_; }
@@ -89,6 +91,7 @@ class MessagesDock : public QDockWidget {
   QSplitter* split_;
   MessageView* message_;
   PlainLabel* caption_;
+  QLabel* more_;
   QLineEdit *filter_, *topic_;
   QStringListModel* known_;
   QPushButton *add_, *pause_, *clear_, *copy_;
