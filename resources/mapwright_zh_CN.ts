@@ -19333,6 +19333,10 @@ Theirs: %6</source>
         <source>The bag is no longer open.</source>
         <translation>数据包已不再打开。</translation>
     </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 项</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::RecordDialog</name>

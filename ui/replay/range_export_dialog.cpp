@@ -302,7 +302,10 @@ void RangeExportDialog::onEnded(const excerpt::Ended& ended) {
     Q_EMIT exported(QFileInfo(path).absoluteFilePath(), sentence);
     if (lacks.isEmpty()) return accept();
     lacks.prepend(words::asSentence(sentence));
-    say(lacks.mid(0, 6).join(QLatin1Char('\n')));
+    constexpr qsizetype kMostSaid = 6;
+    const qsizetype more = lacks.size() - kMostSaid;
+    if (more > 0) lacks = lacks.mid(0, kMostSaid) << tr("and %1 more").arg(more);
+    say(lacks.join(QLatin1Char('\n')));
   }
 }
 
