@@ -1187,16 +1187,16 @@
     </message>
     <message numerus="yes">
         <source>%1 more waypoints were left out.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 more waypoint was left out.</numerusform>
+            <numerusform>%1 more waypoints were left out.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 more waypoints have no direction, or a frame that is unknown.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 more waypoint has no direction, or a frame that is unknown.</numerusform>
+            <numerusform>%1 more waypoints have no direction, or a frame that is unknown.</numerusform>
         </translation>
     </message>
 </context>
