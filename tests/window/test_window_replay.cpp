@@ -913,6 +913,10 @@ class TestWindowReplay : public QObject {
     QCOMPARE(view.selectionModel()->selectedRows().front().row(), 50'001);
     model.setAt(events[70'000].at_s);
     QCOMPARE(model.presentRow(), 70'001);
+    model.setFilter({std::nullopt, QStringLiteral("WHEEL 9999")});
+    int seen = 0;
+    QCOMPARE(picturesMadeTwice(model, seen), QStringList());
+    QCOMPARE(seen, 11);
   }
 
   void theReportOfTheMomentIsWrittenFromTheMenu() {

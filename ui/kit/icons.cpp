@@ -1,5 +1,6 @@
 #include "ui/kit/icons.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
@@ -86,6 +87,23 @@ void paintIcon(QPainter* painter, const QRectF& rect, const QString& name, const
   const int size = qMax(1, qRound(qMin(rect.width(), rect.height())));
   const QPointF corner(qRound(rect.center().x() - size / 2.0), qRound(rect.center().y() - size / 2.0));
   painter->drawPixmap(corner, iconPixmap(name, size, painter->device()->devicePixelRatioF(), color));
+}
+
+QPixmap sharedPixmap(const QImage& picture) {
+  QCryptographicHash hash(QCryptographicHash::Md5);
+  for (int row = 0; row < picture.height(); ++row)
+    hash.addData(QByteArrayView(picture.constScanLine(row), picture.width() * picture.depth() / 8));
+  const QString key = QStringLiteral("picture/%1x%2@%3/%4/%5")
+                          .arg(picture.width())
+                          .arg(picture.height())
+                          .arg(picture.devicePixelRatio())
+                          .arg(picture.format())
+                          .arg(QLatin1String(hash.result().toHex()));
+  QPixmap pixmap;
+  if (QPixmapCache::find(key, &pixmap)) return pixmap;
+  pixmap = QPixmap::fromImage(picture);
+  QPixmapCache::insert(key, pixmap);
+  return pixmap;
 }
 
 QStringList iconNames() {

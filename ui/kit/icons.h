@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QIcon>
+#include <QImage>
 #include <QPixmap>
 #include <QString>
 
@@ -17,6 +18,10 @@ QPixmap iconPixmap(const QString& name, int size_px, double device_pixel_ratio, 
 
 /// The same, painted into `rect`.
 void paintIcon(QPainter* painter, const QRectF& rect, const QString& name, const QColor& color);
+
+/// The same pixmap for equal pictures. Tables need it: the style keeps a scaled copy of each pixmap that a
+/// cell gives it, and would keep one more at each painting.
+QPixmap sharedPixmap(const QImage& picture);
 
 /// Names of all icons that exist, for tests.
 QStringList iconNames();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QElapsedTimer>
+#include <QGuiApplication>
 #include <QMenu>
 
 #include "sentences/plural.h"
@@ -178,7 +179,7 @@ void ObjectsController::addToMapMenu() {
         break;
       }
       QString text = calledInFull(*object);
-      menu.addAction(QIcon(QPixmap::fromImage(context_.scene.symbolOf(*object, 16, 2))),
+      menu.addAction(QIcon(sharedPixmap(context_.scene.symbolOf(*object, 16, qApp->devicePixelRatio()))),
                      text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
                      [this, id, world] { choose(id, world, 0); });
     }

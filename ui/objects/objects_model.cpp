@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include <QPixmap>
+#include <QGuiApplication>
 
+#include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/objects/object_facts.h"
 
@@ -33,7 +34,7 @@ QVariant ObjectsModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const scene::MapObject& object = objects_[std::size_t(index.row())];
   if (role == Qt::DecorationRole && index.column() == NameColumn)
-    return QPixmap::fromImage(scene_.symbolOf(object, kRowSymbolPx, 2));
+    return sharedPixmap(scene_.symbolOf(object, kRowSymbolPx, qApp->devicePixelRatio()));
   if (role == Qt::ToolTipRole) return plainToolTip(calledInFull(object));
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {

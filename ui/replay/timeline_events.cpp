@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QImage>
 #include <QPainter>
 #include <QPen>
 #include <QPolygonF>
+
+#include "ui/kit/icons.h"
 
 namespace mapwright::ui {
 
@@ -172,13 +175,15 @@ void paintEventMark(QPainter& painter, const QPointF& at, const EventMark& mark,
 }
 
 QPixmap eventMarkPixmap(const EventMark& mark, int px, double pixel_ratio) {
-  QPixmap pixmap(int(std::ceil(px * pixel_ratio)), int(std::ceil(px * pixel_ratio)));
-  pixmap.setDevicePixelRatio(pixel_ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
+  const int edge = int(std::ceil(px * pixel_ratio));
+  QImage picture(edge, edge, QImage::Format_ARGB32_Premultiplied);
+  picture.setDevicePixelRatio(pixel_ratio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   paintEventMark(painter, QPointF(px / 2.0, px / 2.0), mark, appColors());
-  return pixmap;
+  painter.end();
+  return sharedPixmap(picture);
 }
 
 }  // namespace mapwright::ui
