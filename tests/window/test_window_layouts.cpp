@@ -22,6 +22,7 @@
 #include "ui/kit/wrapping_row.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/maps_dock.h"
+#include "ui/objects/objects_model.h"
 #include "ui/replay/events_dock.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/problems_dock.h"
@@ -631,6 +632,35 @@ class TestWindowLayouts : public QObject {
     waypoints.resize(300, 200);
     columns->fit();
     QVERIFY(waypoints.columnWidth(WaypointsModel::NameColumn) >= columns->wanted());
+  }
+
+  // The style keeps a copy of each picture that a cell gives it.
+  void picturesInTablesAreMadeOnce() {
+    WaypointsDesk desk;
+    desk.store.points = {test::waypoint("a", 1, 1, "Hall"), test::waypoint("b", 3, 2, "Lift")};
+    desk.start();
+    for (QDockWidget* dock : docksOf(*desk.window)) dock->show();
+    const auto* const objects = part<ObjectsModel>(*desk.window);
+    QTRY_VERIFY(objects->rowCount() > 0);
+    int seen = 0;
+    for (const QTableView* table : desk.window->findChildren<QTableView*>()) {
+      const QStringList twice = picturesMadeTwice(*table->model(), seen);
+      QVERIFY2(twice.isEmpty(),
+               qPrintable(table->accessibleName() + QLatin1Char(' ') + twice.join(QLatin1Char(' '))));
+    }
+    QVERIFY(seen >= objects->rowCount());
+  }
+
+  // Qt makes wider ones, which it never deletes, where they are a single pixel.
+  void linesBetweenDocksAreNoWidgets() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    for (QDockWidget* dock : docksOf(window)) {
+      dock->show();
+      QCoreApplication::processEvents();
+      dock->hide();
+    }
+    QVERIFY(window.findChildren<QWidget*>(QStringLiteral("qt_qmainwindow_extended_splitter")).isEmpty());
   }
 
   void aProblemKeepsItsMarkAndItsTime() {

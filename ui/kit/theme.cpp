@@ -20,7 +20,7 @@ constexpr const char* kSystemDark = "mapwright_system_dark";
 QString styleSheet(const UiColors& c) {
   QString css = QStringLiteral(R"(
 QToolTip { color: %text%; background: %tooltip%; border: 1px solid %border%; padding: 4px 6px; }
-QMainWindow::separator { background: %border%; width: 1px; height: 1px; }
+QMainWindow::separator { background: %border%; margin: 2px; width: 1px; height: 1px; }
 QMainWindow::separator:hover { background: %accent%; }
 QMenuBar { background: %window%; padding: 0 4px; }
 QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }
