@@ -6,7 +6,6 @@
 #include <QLocale>
 
 #include "carry/verdict_sentence.h"
-#include "ui/kit/name_order.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/status_text.h"
@@ -166,7 +165,7 @@ QVariant CarryModel::headerData(int section, Qt::Orientation orientation, int ro
   return {};
 }
 
-CarryFilter::CarryFilter(CarryModel& model, QObject* parent) : QSortFilterProxyModel(parent), model_(model) {
+CarryFilter::CarryFilter(CarryModel& model, QObject* parent) : SortedRows(parent), model_(model) {
   setSourceModel(&model);
 }
 
@@ -180,13 +179,11 @@ bool CarryFilter::filterAcceptsRow(int row, const QModelIndex&) const {
   return shown_ == Shown::All || (shown_ == Shown::Sound ? one.sound() : one.toLookAt());
 }
 
-bool CarryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
-  const CarryRow& a = model_.rows()[std::size_t(left.row())];
-  const CarryRow& b = model_.rows()[std::size_t(right.row())];
-  if (left.column() == CarryModel::Became) return rankOf(a) < rankOf(b);
-  if (left.column() == CarryModel::WallsOff)
-    return a.carried.local_residual_m.value_or(-1) < b.carried.local_residual_m.value_or(-1);
-  return order_.isLess(a.name, b.name);
+SortedRows::SortValue CarryFilter::sortValue(const QModelIndex& source) const {
+  const CarryRow& row = model_.rows()[std::size_t(source.row())];
+  if (source.column() == CarryModel::Became) return {.number = double(rankOf(row))};
+  if (source.column() == CarryModel::WallsOff) return {.number = row.carried.local_residual_m.value_or(-1)};
+  return {.name = row.name};
 }
 
 }  // namespace mapwright::ui

@@ -5,11 +5,10 @@
 #include <vector>
 
 #include <QAbstractTableModel>
-#include <QSortFilterProxyModel>
 #include <QString>
 
 #include "carry/carried.h"
-#include "ui/kit/name_order.h"
+#include "ui/kit/sorted_rows.h"
 
 namespace mapwright::ui {
 
@@ -72,7 +71,7 @@ class CarryModel : public QAbstractTableModel {
 };
 
 /// Some of them, in any order.
-class CarryFilter : public QSortFilterProxyModel {
+class CarryFilter : public SortedRows {
   Q_OBJECT
  public:
   enum class Shown { All, Sound, ToLookAt };
@@ -82,11 +81,10 @@ class CarryFilter : public QSortFilterProxyModel {
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
-  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+  SortValue sortValue(const QModelIndex& source) const override;
 
  private:
   const CarryModel& model_;
-  NameOrder order_;
   Shown shown_ = Shown::All;
 };
 

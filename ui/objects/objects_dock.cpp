@@ -1,11 +1,9 @@
 #include "ui/objects/objects_dock.h"
 
-#include <QCollator>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QScopedValueRollback>
-#include <QSortFilterProxyModel>
 #include <QTableView>
 
 #include "sentences/plural.h"
@@ -13,6 +11,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/sorted_rows.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
 #include "ui/objects/objects_model.h"
@@ -23,18 +22,12 @@ namespace {
 
 constexpr int kColumnLetters = 15;
 
-/// "Rack 3" before "Rack 10".
-class NumericOrder : public QSortFilterProxyModel {
+class ObjectFilter : public SortedRows {
  public:
-  explicit NumericOrder(QObject* parent) : QSortFilterProxyModel(parent) { collator_.setNumericMode(true); }
-
- protected:
-  bool lessThan(const QModelIndex& a, const QModelIndex& b) const override {
-    return collator_.compare(a.data().toString(), b.data().toString()) < 0;
-  }
+  using SortedRows::SortedRows;
 
  private:
-  QCollator collator_;
+  SortValue sortValue(const QModelIndex& source) const override { return {.name = source.data().toString()}; }
 };
 
 }  // namespace
@@ -42,7 +35,7 @@ class NumericOrder : public QSortFilterProxyModel {
 ObjectsDock::ObjectsDock(const scene::MapScene& scene, QWidget* parent)
     : QDockWidget(tr("Objects"), parent),
       model_(new ObjectsModel(scene, this)),
-      filtered_(new NumericOrder(this)),
+      filtered_(new ObjectFilter(this)),
       filter_(new QLineEdit(this)),
       table_(new QuietTableView(this)),
       count_(new PlainLabel(this)) {

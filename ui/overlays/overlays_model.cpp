@@ -5,7 +5,6 @@
 
 #include <QFont>
 
-#include "ui/kit/name_order.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/status_text.h"
@@ -170,10 +169,9 @@ QVariant OverlaysModel::headerData(int section, Qt::Orientation orientation, int
   return section == NameColumn ? tr("Name") : section == TypeColumn ? tr("Type") : tr("State");
 }
 
-OverlayFilter::OverlayFilter(QObject* parent) : QSortFilterProxyModel(parent) {}
+OverlayFilter::OverlayFilter(QObject* parent) : SortedRows(parent) {}
 
 void OverlayFilter::look(const QString& text) {
-  order_.forgetMany();
   wanted_ = text.trimmed();
   invalidateFilter();
 }
@@ -193,12 +191,9 @@ bool OverlayFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   return at.data(Qt::ToolTipRole).toString().contains(wanted_, Qt::CaseInsensitive);
 }
 
-bool OverlayFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+SortedRows::SortValue OverlayFilter::sortValue(const QModelIndex& source) const {
   // Those without a name come last.
-  const bool nameless = left.data(OverlaysModel::kNamelessRole).toBool(),
-             other_nameless = right.data(OverlaysModel::kNamelessRole).toBool();
-  if (nameless != other_nameless) return other_nameless;
-  return order_.isLess(left.data().toString(), right.data().toString());
+  return {source.data(OverlaysModel::kNamelessRole).toBool() ? 1. : 0., source.data().toString()};
 }
 
 }  // namespace mapwright::ui

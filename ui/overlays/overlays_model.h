@@ -6,10 +6,9 @@
 #include <vector>
 
 #include <QAbstractTableModel>
-#include <QSortFilterProxyModel>
 
 #include "edit/overlays/overlay_editing.h"
-#include "ui/kit/name_order.h"
+#include "ui/kit/sorted_rows.h"
 #include "ui/overlays/overlay_text.h"
 
 namespace mapwright::ui {
@@ -66,7 +65,7 @@ class OverlaysModel : public QAbstractTableModel {
 };
 
 /// By name, type or id; "Wall 2" stands before "Wall 10".
-class OverlayFilter : public QSortFilterProxyModel {
+class OverlayFilter : public SortedRows {
   Q_OBJECT
  public:
   explicit OverlayFilter(QObject* parent = nullptr);
@@ -75,12 +74,11 @@ class OverlayFilter : public QSortFilterProxyModel {
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
-  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+  SortValue sortValue(const QModelIndex& source) const override;
 
  private:
   QString wanted_;
   int bits_ = 0;
-  NameOrder order_;
 };
 
 }  // namespace mapwright::ui

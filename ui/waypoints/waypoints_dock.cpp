@@ -144,7 +144,6 @@ WaypointsDock::~WaypointsDock() {
 
 void WaypointsDock::buildTable() {
   sorted_->setSourceModel(model_);
-  sorted_->setSortRole(WaypointsModel::kSortRole);
   showRows(*table_, sorted_, tr("Waypoints"), kWaypointRowPx);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setSortingEnabled(true);

@@ -5,13 +5,12 @@
 
 #include <QFont>
 #include <QGuiApplication>
+#include <QImage>
 #include <QLocale>
 #include <QPainter>
-#include <QPixmap>
 
 #include "sentences/placing_sentence.h"
 #include "ui/kit/icons.h"
-#include "ui/kit/name_order.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/scene/drawn_waypoint.h"
@@ -32,10 +31,10 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
   if (pending == 0 && !state.sent) return {};
   const UiColors colors = appColors();
   const double ratio = qApp->devicePixelRatio();
-  QPixmap pixmap(QSize(kWaypointMarkPx, kWaypointMarkPx) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
+  QImage picture(QSize(kWaypointMarkPx, kWaypointMarkPx) * ratio, QImage::Format_ARGB32_Premultiplied);
+  picture.setDevicePixelRatio(ratio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
   const scene::WaypointMark mark = state.changed_elsewhere ? scene::WaypointMark::Conflict
                                    : state.sent            ? scene::WaypointMark::Sent
                                    : pending & kNew        ? scene::WaypointMark::New
@@ -45,7 +44,8 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
   const QColor edge = mark == scene::WaypointMark::Deleted ? QColor(Qt::transparent) : color;
   scene::paintWaypointMark(painter, QPointF(kWaypointMarkPx / 2.0, kWaypointMarkPx / 2.0), 5, mark, color,
                            edge);
-  return pixmap;
+  painter.end();
+  return sharedPixmap(picture);
 }
 
 }  // namespace
@@ -278,10 +278,9 @@ QVariant WaypointsModel::headerData(int section, Qt::Orientation orientation, in
   return names.at(std::size_t(section)).isEmpty() ? QVariant() : names[std::size_t(section)];
 }
 
-WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {}
+WaypointFilter::WaypointFilter(QObject* parent) : SortedRows(parent) {}
 
 void WaypointFilter::look(const QString& text) {
-  order_.forgetMany();
   wanted_ = text.trimmed();
   invalidateFilter();
 }
@@ -303,10 +302,10 @@ bool WaypointFilter::filterAcceptsRow(int row, const QModelIndex& parent) const 
   return false;
 }
 
-bool WaypointFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
-  const QVariant one = left.data(sortRole()), other = right.data(sortRole());
-  if (one.typeId() != QMetaType::QString) return QSortFilterProxyModel::lessThan(left, right);
-  return order_.isLess(one.toString(), other.toString());
+SortedRows::SortValue WaypointFilter::sortValue(const QModelIndex& source) const {
+  const QVariant value = source.data(WaypointsModel::kSortRole);
+  if (value.typeId() == QMetaType::QString) return {.name = value.toString()};
+  return {.number = value.toDouble()};
 }
 
 }  // namespace mapwright::ui

@@ -7,11 +7,10 @@
 
 #include <QAbstractTableModel>
 #include <QPointer>
-#include <QSortFilterProxyModel>
 
 #include "edit/document.h"
 #include "placing/warnings.h"
-#include "ui/kit/name_order.h"
+#include "ui/kit/sorted_rows.h"
 
 namespace mapwright::ui {
 
@@ -59,7 +58,7 @@ class WaypointsModel : public QAbstractTableModel {
 };
 
 /// By name or tag, and by what is pending; "Rack 2" stands before "Rack 10".
-class WaypointFilter : public QSortFilterProxyModel {
+class WaypointFilter : public SortedRows {
   Q_OBJECT
  public:
   explicit WaypointFilter(QObject* parent = nullptr);
@@ -70,12 +69,11 @@ class WaypointFilter : public QSortFilterProxyModel {
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
-  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+  SortValue sortValue(const QModelIndex& source) const override;
 
  private:
   QString wanted_;
   int pending_ = 0;
-  NameOrder order_;
 };
 
 }  // namespace mapwright::ui
