@@ -220,6 +220,31 @@ class TestWindowWaypointsTable : public QObject {
     QCOMPARE(desk.undo().count(), 1);
   }
 
+  // Another program has only the text of it.
+  void copiesAreTheSameFromAnotherWindow() {
+    Desk desk;
+    desk.open();
+    std::vector<std::vector<map::Waypoint>> pasted;
+    desk.editing().selectAll();
+    desk.control().transfer()->copy();
+    auto* const bytes = new QMimeData;
+    const QMimeData& copied = *QGuiApplication::clipboard()->mimeData();
+    for (const QString& format : copied.formats()) bytes->setData(format, copied.data(format));
+    QVERIFY(bytes->hasFormat(QLatin1String(WaypointTransfer::kMime)) && bytes->hasText());
+    for (const bool other_window : {false, true}) {
+      if (other_window) QGuiApplication::clipboard()->setMimeData(bytes);
+      desk.control().transfer()->paste();
+      pasted.emplace_back();
+      for (const edit::Key& key : desk.editing().inOrder()) {
+        pasted.back().push_back(*desk.editing().find(key));
+        pasted.back().back().id.clear();
+      }
+      QVERIFY(pasted.back().size() > 2);
+      desk.action("undo")->trigger();
+    }
+    QVERIFY(pasted[0] == pasted[1]);
+  }
+
   void filesComeInWithAPreviewAndGoOut() {
     Desk desk;
     desk.open();

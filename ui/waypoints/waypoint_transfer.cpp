@@ -43,6 +43,45 @@
 namespace mapwright::ui {
 namespace {
 
+/// What was copied, for the clipboard: the texts are made when another program, or another window of this
+/// one's, asks for them.
+class CopiedWaypoints : public QMimeData {
+ public:
+  CopiedWaypoints(std::vector<map::Waypoint> points, std::string map)
+      : points_(std::move(points)), map_(std::move(map)) {}
+  const std::vector<map::Waypoint>& points() const { return points_; }
+  QStringList formats() const override {
+    return {QLatin1String(WaypointTransfer::kMime), QStringLiteral("text/plain")};
+  }
+
+ protected:
+  QVariant retrieveData(const QString& format, QMetaType) const override {
+    if (format == QLatin1String(WaypointTransfer::kMime)) return exchange::waypointsGeoJson(points_, map_);
+    if (format != QLatin1String("text/plain")) return {};
+    return words::plainText(QString::fromStdString(exchange::waypointsTable(points_)));
+  }
+
+ private:
+  std::vector<map::Waypoint> points_;
+  std::string map_;
+};
+
+/// With keys of their own.
+std::vector<exchange::WantedWaypoint> asNew(const std::vector<map::Waypoint>& points) {
+  std::vector<exchange::WantedWaypoint> wanted;
+  wanted.reserve(points.size());
+  for (const map::Waypoint& point : points) {
+    exchange::WantedWaypoint one{.row = int(wanted.size()) + 1, .id = exchange::freshKey()};
+    if (!point.name.empty()) one.name = point.name;
+    if (!point.type.empty()) one.type = point.type;
+    one.position_m = point.position_m;
+    one.yaw_rad = point.yaw_rad;
+    one.tags = point.tags;
+    wanted.push_back(std::move(one));
+  }
+  return wanted;
+}
+
 constexpr int kMostRows = 2'000;  // the others are only counted
 constexpr int kImportRowPx = 24;
 
@@ -292,50 +331,42 @@ std::vector<map::Waypoint> WaypointTransfer::listed(const std::set<edit::Key>* o
 }
 
 void WaypointTransfer::copy() {
-  const auto points = listed(&editing_->selected());
+  auto points = listed(&editing_->selected());
   if (points.empty()) return;
-  auto* const mime = new QMimeData;
-  mime->setData(QLatin1String(kMime),
-                exchange::waypointsGeoJson(points, map_ ? map::toText(*map_) : std::string()));
-  mime->setText(words::plainText(QString::fromStdString(exchange::waypointsTable(points))));
-  QGuiApplication::clipboard()->setMimeData(mime);
-  say(true, tr("%1 copied").arg(waypointsText(qsizetype(points.size()))));
+  const auto count = qsizetype(points.size());
+  QGuiApplication::clipboard()->setMimeData(
+      new CopiedWaypoints(std::move(points), map_ ? map::toText(*map_) : std::string()));
+  say(true, tr("%1 copied").arg(waypointsText(count)));
 }
 
 void WaypointTransfer::paste() {
   if (!editing_->editable()) return;
   const QMimeData* const mime = QGuiApplication::clipboard()->mimeData();
-  if (mime && mime->hasFormat(QLatin1String(kMime)))
-    return pasteCopied(mime->data(QLatin1String(kMime)).toStdString());
+  if (const auto* const mine = dynamic_cast<const CopiedWaypoints*>(mime))
+    return pasteCopied(asNew(mine->points()));
+  if (mime && mime->hasFormat(QLatin1String(kMime))) {
+    auto wanted = exchange::wantedFromGeoJson(mime->data(QLatin1String(kMime)).toStdString());
+    if (!wanted) return say(false, tr("The clipboard cannot be pasted. %1").arg(wanted.error()));
+    // As new ones: in another map these ids are meaningless, in this one they belong to others.
+    for (exchange::WantedWaypoint& one : wanted->points) one.id = exchange::freshKey();
+    return pasteCopied(std::move(wanted->points));
+  }
   if (!mime || mime->text().trimmed().isEmpty())
     return say(false,
                tr("The clipboard contains no waypoints and no table. Copy rows of a spreadsheet first."));
   ask({exchange::WaypointFormat::Table, {}, mime->text().toStdString()});
 }
 
-void WaypointTransfer::pasteCopied(const std::string& geojson) {
-  auto wanted = exchange::wantedFromGeoJson(geojson);
-  if (!wanted) return say(false, tr("The clipboard cannot be pasted. %1").arg(wanted.error()));
-  // As new ones: in another map these ids are meaningless, in this one they belong to others.
-  for (exchange::WantedWaypoint& one : wanted->points) one.id = exchange::freshKey();
-  const auto added = addNew(std::move(wanted->points), tr("paste %1"), tr("%1 pasted"));
+void WaypointTransfer::pasteCopied(std::vector<exchange::WantedWaypoint> points) {
+  const auto added = addNew(std::move(points), tr("paste %1"), tr("%1 pasted"));
   if (!added) say(false, tr("The clipboard cannot be pasted. %1").arg(added.error()));
 }
 
 std::vector<edit::Key> WaypointTransfer::carryOver(const std::vector<map::Waypoint>& points) {
   if (!editing_->editable() || points.empty()) return {};
+  std::vector<exchange::WantedWaypoint> wanted = asNew(points);
   std::vector<edit::Key> keys;
-  std::vector<exchange::WantedWaypoint> wanted;
-  for (const map::Waypoint& point : points) {
-    keys.push_back(exchange::freshKey());
-    exchange::WantedWaypoint one{.row = int(keys.size()), .id = keys.back()};
-    if (!point.name.empty()) one.name = point.name;
-    if (!point.type.empty()) one.type = point.type;
-    one.position_m = point.position_m;
-    one.yaw_rad = point.yaw_rad;
-    one.tags = point.tags;
-    wanted.push_back(std::move(one));
-  }
+  for (const exchange::WantedWaypoint& one : wanted) keys.push_back(one.id);
   const auto added = addNew(std::move(wanted), tr("carry over %1"),
                             tr("%1 carried over. Nothing has been sent or saved yet."));
   if (added) return keys;

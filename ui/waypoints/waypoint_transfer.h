@@ -99,7 +99,7 @@ class WaypointTransfer : public QObject {
   void addActions();
   void refresh();
   void ask(ImportSource source);
-  void pasteCopied(const std::string& geojson);
+  void pasteCopied(std::vector<exchange::WantedWaypoint> points);
   /// As new ones, under free names; the ids are their keys. `what` and `made` have %1 for what it is about.
   /// The error is a sentence.
   tl::expected<void, QString> addNew(std::vector<exchange::WantedWaypoint> points, const QString& what,

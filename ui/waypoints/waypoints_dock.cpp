@@ -317,10 +317,11 @@ QString WaypointsDock::statusText() const {
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(list_->notes().size(), 3); ++i)
     parts << sentences::sentenceOf(list_->notes()[i]);
-  const auto changes = document->changes();
+  const auto isDeleted = [&](const edit::Key& key) {
+    return !document->find(key) && !document->conflicts().contains(key);
+  };
   if (const QString stays = exchange::notRemovedReason(editing_->keeps());
-      !stays.isEmpty() &&
-      std::any_of(changes.begin(), changes.end(), [](const edit::Change& one) { return !one.after; }))
+      !stays.isEmpty() && std::ranges::any_of(document->unsaved(), isDeleted))
     parts << stays + QLatin1Char(' ') + tr("Restore what is deleted here before saving.");
   if (!remark_.isEmpty()) parts << remark_;
   return parts.join(QLatin1Char('\n'));
