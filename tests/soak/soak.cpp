@@ -346,7 +346,7 @@ int main(int argc, char** argv) {
   wanted.overlays_history = folder.filePath(QStringLiteral("overlays.sqlite")).toStdString();
   wanted.budgets =
       work::budgetsFrom(work::kLeastBudget);  // full after some rounds: what grows then is no cache
-  QPixmapCache::setCacheLimit(1'024);  // KB: the same
+  QPixmapCache::setCacheLimit(1'024);         // KB: the same
   ui::MainWindow window(std::move(wanted));
   window.resize(1366, 768);
   window.show();
