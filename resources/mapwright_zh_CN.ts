@@ -13418,6 +13418,10 @@ Expected at %2</source>
         <source>Show it</source>
         <translation>显示它</translation>
     </message>
+    <message>
+        <source>The changes are being saved, and cannot be discarded until that has ended.</source>
+        <translation>更改正在保存，保存结束之前无法放弃。</translation>
+    </message>
 </context>
 <context>
     <name>mapwright::ui::EmptyStateCard</name>

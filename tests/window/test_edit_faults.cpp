@@ -387,6 +387,30 @@ class EditFaultsTest : public QObject {
     editor->save(Fate::Done);
     QTRY_VERIFY2(editor->holdsMine() && !editor->control().unsaved(), qPrintable(editor->said()));
   }
+
+  void whatIsBeingSentCannotBeDiscarded_data() {
+    QTest::addColumn<QString>("what");
+    for (const char* what : {"waypoints", "overlays", "picture"})
+      QTest::addRow("%s", what) << QString::fromLatin1(what);
+  }
+  void whatIsBeingSentCannotBeDiscarded() {
+    QFETCH(QString, what);
+    const std::unique_ptr<Editor> editor = editorOf(what);
+    editor->start();
+    QTRY_VERIFY(editor->isOpen());
+    editor->change();
+    editor->save(Fate::Done);
+    QVERIFY(editor->control().edited()->saving());
+    editor->window->close();
+    QVERIFY(editor->control().question());
+    editor->control().question()->button(QMessageBox::Discard)->click();
+    QVERIFY2(editor->said().contains(QLatin1String("being saved")), qPrintable(editor->said()));
+    QTRY_VERIFY(!editor->control().edited()->saving());
+    QVERIFY(editor->holdsMine() && !editor->control().unsaved());
+    QVERIFY(editor->window->isVisible());
+    editor->window->close();
+    QTRY_VERIFY(!editor->window->isVisible());
+  }
 };
 
 }  // namespace test_edit_faults

@@ -592,7 +592,6 @@ EditorController::LeaveQuestion OverlaysController::leaveQuestion() const {
 void OverlaysController::finishInput() { finishTypingIn(dock_); }
 
 void OverlaysController::discardAll(std::function<void()> then) {
-  if (!editing_.editable()) return;  // it is being sent
   editing_.revert();
   then();
 }

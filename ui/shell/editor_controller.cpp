@@ -58,7 +58,7 @@ void EditorController::answer(Leaving leaving) {
     when_saved_ = then;
     save();
   } else if (leaving == Leaving::Discard) {
-    discardAll(then);
+    if (!reportIfSaving()) discardAll(then);
   } else if (!keepsDraft()) {
     return;
   } else if (const auto trouble = edited()->drafts()->keep()) {
@@ -77,6 +77,13 @@ void EditorController::onAllSaved() {
 void EditorController::reportSaving(Mark mark, const QString& sentence, ToastOffer offer) {
   context_.overlay.toasts()->add(mark, sentence, std::move(offer),
                                  QString::fromLatin1(metaObject()->className()));
+}
+
+bool EditorController::reportIfSaving() {
+  if (!edited() || !edited()->saving()) return false;
+  reportSaving(Mark::Warning,
+               tr("The changes are being saved, and cannot be discarded until that has ended."));
+  return true;
 }
 
 void EditorController::askToDecide(QDockWidget* panel, const QString& sentence) {

@@ -51,7 +51,7 @@ class EditorController : public Controller {
   virtual QString amountText(qsizetype changes) const = 0;
   /// What is being typed or drawn becomes part of the changes.
   virtual void finishInput() {}
-  /// Discards all changes, and calls `then` once that is done; never if it is impossible.
+  /// Discards all changes, and calls `then` once that is done. Nothing is being saved.
   virtual void discardAll(std::function<void()> then) = 0;
   /// The map on screen, the robot's maps, or what can be done with them have changed.
   virtual void syncMap() = 0;
@@ -69,6 +69,8 @@ class EditorController : public Controller {
 
   /// The result of saving; it replaces an earlier one.
   void reportSaving(Mark mark, const QString& sentence, ToastOffer offer = {});
+  /// Whether it is being saved, and if so, says that nothing can be discarded: the robot may have it by now.
+  bool reportIfSaving();
   /// Nothing is saved before the user has decided about conflicts, which are shown in `panel`.
   void askToDecide(QDockWidget* panel, const QString& sentence);
   /// `sentence`: what has to be decided now; empty: nothing. Withdraws a request that was answered.

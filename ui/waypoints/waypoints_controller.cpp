@@ -437,7 +437,7 @@ QString WaypointsController::mapName() const {
 }
 
 void WaypointsController::revertAll() {
-  if (!unsaved()) return;
+  if (!unsaved() || reportIfSaving()) return;
   if (discard_question_) return discard_question_->raise();
   discard_question_ =
       new QMessageBox(QMessageBox::Warning, tr("Discard changes"),
@@ -449,7 +449,7 @@ void WaypointsController::revertAll() {
   discard_question_->setDefaultButton(QMessageBox::Cancel);
   connect(discard_question_, &QMessageBox::finished, this, [this](int button) {
     discard_question_ = nullptr;
-    if (button == QMessageBox::Discard && list_) list_->discard();
+    if (button == QMessageBox::Discard && list_ && !reportIfSaving()) list_->discard();
   });
   discard_question_->open();
 }
