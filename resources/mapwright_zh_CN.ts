@@ -16938,7 +16938,7 @@ Double-click to open it here. This loads and changes nothing on the robot.</sour
         <translation>%1：拖动或用方向键移动，拖动圆形手柄旋转，Delete 删除。Esc 取消选择。</translation>
     </message>
     <message>
-        <source>Its %1 points are too many to drag them one by one.</source>
+        <source>It has %1 points: too many to drag one by one.</source>
         <translation>它有 %1 个点，太多而无法逐个拖动。</translation>
     </message>
 </context>
@@ -25322,6 +25322,10 @@ Qt %2，编译时为 %3</translation>
         <translation>
             <numerusform>还有 %1 个未列出。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Only %1 letters fit. The rest was left out.</source>
+        <translation>最多只能输入 %1 个字符，其余部分已略去。</translation>
     </message>
 </context>
 <context>

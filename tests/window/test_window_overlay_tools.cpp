@@ -364,7 +364,7 @@ class TestWindowOverlayTools : public QObject {
     QCOMPARE(list.table()->rowCount(), 2000);
     QCOMPARE(list.aboutShown(), QStringLiteral("2,000 of 2,500 points are shown."));
     QVERIFY2(desk.control().tool()->hint().endsWith(
-                 QLatin1String("Its 2,500 points are too many to drag them one by one.")),
+                 QLatin1String("It has 2,500 points: too many to drag one by one.")),
              qPrintable(desk.control().tool()->hint()));
     QCOMPARE(form.moreShown(), QStringLiteral("100 more are not listed."));
     desk.editing().select({1});

@@ -3,7 +3,11 @@
 #include <functional>
 
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
 #include <QTableView>
 #include <QtTest>
 
@@ -321,6 +325,55 @@ class TestWindowTyping : public QObject {
     Desk::type(Qt::Key_Return);
     Desk::type(QStringLiteral("2"));
     QCOMPARE(desk.editing().find("a")->name, std::string("CCC"));
+  }
+
+  // A field that cuts a name off would cut it off on the robot with the next edit.
+  void longNamesStayWholeAsTheyAreEdited_data() {
+    QTest::addColumn<bool>("on_map");
+    QTest::newRow("in the form") << false;
+    QTest::newRow("on the map") << true;
+  }
+  void longNamesStayWholeAsTheyAreEdited() {
+    QFETCH(bool, on_map);
+    Desk desk;
+    desk.start();
+    desk.bringUp();
+    desk.store.put(waypoint("a", 1, 1, std::string(600, 'n') + "tail"));
+    Q_EMIT desk.store.changed();
+    QTRY_COMPARE(desk.editing().find("a")->name.size(), std::size_t(604));
+    desk.editing().select({"a"});
+    if (on_map) {
+      desk.control().nameEditor()->ask(desk.px(1, 1), QString::fromStdString(desk.nameNow()),
+                                       [&](const QString& name) { desk.editing().rename("a", name); });
+    } else {
+      desk.dock().table()->setFocus();
+      Desk::type(Qt::Key_F2);
+    }
+    auto* const field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    QVERIFY(field);
+    field->setCursorPosition(0);
+    Desk::type(Qt::Key_Delete);
+    Desk::type(QStringLiteral("N"));
+    Desk::type(Qt::Key_Return);
+    QCOMPARE(desk.editing().find("a")->name, "N" + std::string(599, 'n') + "tail");
+  }
+
+  void whatDoesNotFitIntoAFieldIsSaid() {
+    Desk desk;
+    desk.start();
+    desk.bringUp();
+    desk.editing().select({"a"});
+    desk.dock().table()->setFocus();
+    Desk::type(Qt::Key_F2);
+    auto* const field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    QVERIFY(field);
+    QGuiApplication::clipboard()->setText(QString(700, QLatin1Char('p')));
+    field->selectAll();
+    field->paste();
+    QCOMPARE(field->text().size(), 500);
+    const auto* const note = desk.window->findChild<QLabel*>(QStringLiteral("outOfRange"));
+    QVERIFY(note && note->isVisible());
+    QCOMPARE(note->text(), QStringLiteral("Only 500 letters fit. The rest was left out."));
   }
 
   void whoseWaypointIsDeletedElsewhereTypesIntoNothing() {

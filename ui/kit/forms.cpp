@@ -22,6 +22,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "words/figures.h"
 #include "words/fixed.h"
 #include "words/qt_plain.h"
 
@@ -29,6 +30,7 @@ namespace mapwright::ui {
 
 namespace {
 
+constexpr const char* kLongest = "longest";  // how many letters can be typed
 constexpr int kNoteGapPx = 4, kNoteMs = 6'000;
 constexpr int kLeastScrolledPx = 60;
 
@@ -260,7 +262,7 @@ QString tooLargeText(const QString& typed, const QString& most) {
 namespace {
 
 /// Where a note covers no other field, or few: above or below its field, else beside the panel.
-QPoint positionBeside(const QAbstractSpinBox& field, const QSize& size) {
+QPoint positionBeside(const QWidget& field, const QSize& size) {
   const QWidget* const window = field.window();
   const QRect at(field.mapTo(window, QPoint()), field.size());
   const QWidget* panel = &field;
@@ -294,9 +296,7 @@ QPoint positionBeside(const QAbstractSpinBox& field, const QSize& size) {
   return *best;
 }
 
-}  // namespace
-
-void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
+void sayBeside(const QWidget& field, const QString& text) {
   QWidget* const window = field.window();
   const QString name = QStringLiteral("outOfRange");
   // No tooltip: that hides when the focus goes to the next field.
@@ -311,11 +311,7 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
     away->setSingleShot(true);
     QObject::connect(away, &QTimer::timeout, note, &QWidget::hide);
   }
-  QString said = text;
-  // Its prefix names the field, and not the number.
-  if (const auto* const whole = qobject_cast<const QSpinBox*>(&field); whole && !whole->prefix().isEmpty())
-    said.remove(whole->prefix());
-  note->setText(words::plainText(said));
+  note->setText(words::plainText(text));
   note->setAccessibleName(note->text());
   setTextColor(*note, appColors().error_text);
   note->adjustSize();
@@ -325,6 +321,31 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
   note->findChild<QTimer*>()->start(kNoteMs);
   QAccessibleEvent told(note, QAccessible::Alert);
   QAccessible::updateAccessibility(&told);
+}
+
+}  // namespace
+
+void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
+  QString said = text;
+  // Its prefix names the field, and not the number.
+  if (const auto* const whole = qobject_cast<const QSpinBox*>(&field); whole && !whole->prefix().isEmpty())
+    said.remove(whole->prefix());
+  sayBeside(field, said);
+}
+
+void setLongest(QLineEdit& field, int letters) {
+  field.setProperty(kLongest, letters);
+  field.setMaxLength(letters);
+  QObject::connect(&field, &QLineEdit::inputRejected, &field, [&field] {
+    sayBeside(field, QCoreApplication::translate("window", "Only %1 letters fit. The rest was left out.")
+                         .arg(QString::fromStdString(words::grouped(field.maxLength()))));
+  });
+}
+
+void showWhole(QLineEdit& field, const QString& text) {
+  if (const QVariant longest = field.property(kLongest); longest.isValid())
+    field.setMaxLength(std::max(longest.toInt(), int(text.size())));
+  field.setText(text);
 }
 
 DecimalBox::DecimalBox(QWidget* parent) : RangedBox(parent) { setLocale(QLocale::c()); }

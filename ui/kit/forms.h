@@ -56,6 +56,11 @@ QVBoxLayout* columnOf(std::initializer_list<LayoutItem> items, int spacing = -1,
 void setScrolledWidget(QDockWidget& dock, QWidget* body, QWidget* below = nullptr);
 bool isScrolled(const QDockWidget& dock);
 
+/// Limits what can be typed or pasted there, and says so where something was cut off.
+void setLongest(QLineEdit& field, int letters);
+/// Shows a text in such a field, whole, however long it is: what is cut off would be lost with the next edit.
+void showWhole(QLineEdit& field, const QString& text);
+
 /// Plain text in as many lines as it needs.
 QLabel* wrappedLabel(const QString& text, QWidget* parent);
 /// The same; it can be selected.

@@ -42,7 +42,7 @@ PresetNameDialog::PresetNameDialog(const QString& title, const QString& name, bo
   setMinimumWidth(380);
   auto* label = new QLabel(tr("&Name"), this);
   label->setBuddy(field_);
-  field_->setMaxLength(PresetMenu::kLongestName);
+  setLongest(*field_, PresetMenu::kLongestName);
   field_->selectAll();
   note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   note_->setAlignment(Qt::AlignTop | Qt::AlignLeft);

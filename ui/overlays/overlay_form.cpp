@@ -90,7 +90,7 @@ OverlayForm::OverlayForm(edit::OverlayEditing* editing, QWidget* parent)
       properties_(new QTableWidget(0, 2, this)),
       add_(compactButton(tr("Add"), this, tr("Add this property"))),
       remove_(compactButton(tr("Remove"), this, tr("Remove the selected property"))) {
-  name_->setMaxLength(kLongestOverlayName);
+  setLongest(*name_, kLongestOverlayName);
   name_->setAccessibleName(tr("Name of the overlay"));
   type_->setAccessibleName(tr("Type of the overlay"));
   type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -200,7 +200,7 @@ void OverlayForm::refresh() {
     showCommon();
   } else if (!shown_feature_ || &shown_feature_->text() != &now->text()) {
     shown_feature_ = *now;
-    if (!name_->isModified()) name_->setText(QString::fromStdString(now->name()));
+    if (!name_->isModified()) showWhole(*name_, QString::fromStdString(now->name()));
     const auto yaw = overlays::yawOf(*now);
     const QSignalBlocker quiet(yaw_);
     yaw_->setValue(yaw ? std::remainder(*yaw, 360.0) : kNoYaw);

@@ -460,7 +460,7 @@ QString OverlaySelect::hint() const {
   hint[0] = hint[0].toUpper();
   (void)rings();
   if (left_out_ == 0) return hint;
-  return words::paragraph({hint, tr("Its %1 points are too many to drag them one by one.")
+  return words::paragraph({hint, tr("It has %1 points: too many to drag one by one.")
                                      .arg(QString::fromStdString(words::grouped(qint64(left_out_))))});
 }
 

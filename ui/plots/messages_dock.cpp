@@ -119,7 +119,7 @@ QWidget* MessagesDock::buildControls() {
   filter_->setAccessibleName(tr("Filter topics"));
   topic_->setPlaceholderText(tr("/topic to subscribe to"));
   topic_->setAccessibleName(tr("Topic to subscribe to"));
-  topic_->setMaxLength(300);
+  setLongest(*topic_, 300);
   auto* completer = new QCompleter(known_, topic_);
   completer->setFilterMode(Qt::MatchContains);
   completer->setCaseSensitivity(Qt::CaseInsensitive);

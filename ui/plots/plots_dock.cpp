@@ -80,7 +80,7 @@ QWidget* PlotsDock::buildControls() {
   }
   path_->setPlaceholderText(tr("Field, for example /topic.member[0]"));
   path_->setAccessibleName(tr("Field to plot"));
-  path_->setMaxLength(int(series::FieldPath::kLongest));
+  setLongest(*path_, int(series::FieldPath::kLongest));
   path_->setClearButtonEnabled(true);
   path_->installEventFilter(this);
   auto* const completer = new QCompleter(paths_, path_);

@@ -57,7 +57,7 @@ SaveMapDialog::SaveMapDialog(robot::MapDispatch* dispatch, std::function<void(Ma
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumWidth(kWidthPx);
   name_->setObjectName(QStringLiteral("saveMapName"));
-  name_->setMaxLength(kLongestFilename);
+  setLongest(*name_, kLongestFilename);
   name_->setText(QStringLiteral("map.png"));
   name_->setSelection(0, 3);
   auto* const about = new QLabel(tr("The robot writes its map to a file on its own disk. The extension of "

@@ -28,7 +28,7 @@ RecordDialog::RecordDialog(QWidget* parent)
       said_(new QLabel(this)) {
   setWindowTitle(tr("Record on the robot"));
   setMinimumWidth(380);
-  suffix_->setMaxLength(kSuffixLength);
+  setLongest(*suffix_, kSuffixLength);
   suffix_->setPlaceholderText(tr("none"));
   said_->setTextFormat(Qt::PlainText);
   said_->setWordWrap(true);

@@ -66,7 +66,7 @@ QIcon robotColorIcon(const QColor& color) {
 
 LookFields::LookFields(QWidget* parent) : name(new QLineEdit(parent)), color(new QComboBox(parent)) {
   name->setObjectName(QStringLiteral("calledName"));
-  name->setMaxLength(kLongestName);
+  setLongest(*name, kLongestName);
   color->setObjectName(QStringLiteral("calledColor"));
   color->setAccessibleName(RobotLookDialog::tr("Colour of the robot"));
   color->addItem(robotColorIcon({}), RobotLookDialog::tr("No colour"), QString());

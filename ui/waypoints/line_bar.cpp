@@ -48,7 +48,7 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
   spacing_->setAlignment(Qt::AlignLeft);
   setObjectName(QStringLiteral("card"));
   setCursor(Qt::ArrowCursor);
-  prefix_->setMaxLength(kLongestPrefix);
+  setLongest(*prefix_, kLongestPrefix);
   prefix_->setAccessibleName(tr("What their names begin with"));
   prefix_->setMinimumWidth(kPrefixPx);
   first_->setAccessibleName(tr("First number"));

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 
+#include "ui/kit/forms.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::ui {
@@ -23,7 +24,7 @@ bool isPress(const QEvent& event) {
 }  // namespace
 
 NameEditor::NameEditor(QWidget* map) : QLineEdit(map) {
-  setMaxLength(kLongestTyped);
+  setLongest(*this, kLongestTyped);
   setAccessibleName(tr("Name of the waypoint"));
   hide();
   connect(this, &QLineEdit::textEdited, this, [this](const QString& text) {
@@ -34,7 +35,7 @@ NameEditor::NameEditor(QWidget* map) : QLineEdit(map) {
 void NameEditor::ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then) {
   finish();
   follow(at);
-  setText(name);
+  showWhole(*this, name);
   offered_ = name;
   selectAll();
   then_ = std::move(then);

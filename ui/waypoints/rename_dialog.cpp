@@ -153,7 +153,7 @@ RenameDialog::RenameDialog(WaypointEditing* editing, std::function<std::vector<e
 
 QWidget* RenameDialog::patternPage() {
   auto* const page = new QWidget(pages_);
-  pattern_->setMaxLength(kLongestPattern);
+  setLongest(*pattern_, kLongestPattern);
   pattern_->setPlaceholderText(tr("Corridor ##"));
   pattern_->setAccessibleName(tr("Pattern of the new names"));
   first_->setRange(0, kHighestFirst);
@@ -187,7 +187,7 @@ QWidget* RenameDialog::patternPage() {
 
 QWidget* RenameDialog::replacePage() {
   auto* const page = new QWidget(pages_);
-  for (QLineEdit* field : {find_, replacement_}) field->setMaxLength(kLongestPattern);
+  for (QLineEdit* field : {find_, replacement_}) setLongest(*field, kLongestPattern);
   find_->setAccessibleName(tr("What is replaced"));
   replacement_->setAccessibleName(tr("Replacement"));
   replacement_->setPlaceholderText(tr("nothing: it is removed"));

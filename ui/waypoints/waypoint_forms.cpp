@@ -128,7 +128,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
       yaw_(numberField(this, {kNoHeading, 180, 1, 5, QString(QChar(0xb0)), tr("Heading of the waypoint")})),
       doubtful_(wrappedLabel({}, this)) {
   doubtful_->hide();
-  name_->setMaxLength(kLongestName);
+  setLongest(*name_, kLongestName);
   name_->setAccessibleName(tr("Name of the waypoint"));
   tags_->setAccessibleName(tr("Tags of the waypoint"));
   tags_->setPlaceholderText(tr("separated by commas"));
@@ -245,7 +245,7 @@ void WaypointForm::refresh() {
   setEnabled((point && editing_->editable()) || (isEnabled() && hasFocusInside(*this)));
   const auto show = [this](QLineEdit* edit, const QString& text) {
     if (edit->isModified() && (typing_ || edit->hasFocus())) return;  // the user is typing
-    if (edit->text() != text) edit->setText(text);
+    if (edit->text() != text) showWhole(*edit, text);
   };
   show(name_, point ? QString::fromStdString(point->name) : QString());
   show(tags_, point ? tagsText(point->tags) : QString());

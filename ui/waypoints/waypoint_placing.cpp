@@ -73,13 +73,14 @@ constexpr double kAroundBareM = 3;  // around waypoints without a picture
 
 NewWaypointDialog::NewWaypointDialog(const map::Waypoint& present, QWidget* parent)
     : QDialog(parent),
-      name_(new QLineEdit(QString::fromStdString(present.name), this)),
+      name_(new QLineEdit(this)),
       x_(metres(-kFarthestPlaceM, kFarthestPlaceM, present.position_m.x(), this)),
       y_(metres(-kFarthestPlaceM, kFarthestPlaceM, present.position_m.y(), this)),
       heading_(numberField(this, {kNoPlaceHeading, 180, 1, 15, QString(QChar(0xb0)), {}, 130})) {
   setWindowTitle(tr("New waypoint"));
   setMinimumWidth(340);
-  name_->setMaxLength(kLongestPlaceName);
+  setLongest(*name_, kLongestPlaceName);
+  showWhole(*name_, QString::fromStdString(present.name));
   name_->selectAll();
   heading_->setSpecialValueText(tr("none"));
   heading_->setValue(present.yaw_rad

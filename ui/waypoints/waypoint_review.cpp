@@ -27,7 +27,10 @@
 namespace mapwright::ui {
 namespace {
 
-constexpr qsizetype kLongestTip = 2'000;
+QString shortened(const QString& text) {
+  constexpr qsizetype kLongestTip = 2'000;
+  return text.size() <= kLongestTip ? text : text.left(kLongestTip) + QChar(0x2026);
+}
 
 constexpr int kReviewRowPx = 24;
 constexpr qsizetype kNamed = 3;  // of those that differ
@@ -221,8 +224,7 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
       text = words::plainName(call.service);
       if (text.isEmpty()) text = tr("save the list");
       if (tip)
-        text +=
-            QLatin1Char('\n') + words::plainText(QString::fromStdString(call.arguments)).left(kLongestTip);
+        text += QLatin1Char('\n') + shortened(words::plainText(QString::fromStdString(call.arguments)));
       break;
     }
     case ChangeColumn:
