@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -27,9 +30,26 @@ FileValue valueOf(const YAML::Node& node, std::size_t& values) {
     for (const YAML::Node& item : node) value.items.push_back(valueOf(item, values));
   } else if (node.IsMap()) {
     value.kind = FileValue::Kind::Map;
-    for (const auto& member : node)
-      value.members.emplace_back(member.first.IsScalar() ? member.first.Scalar() : "?",
-                                 valueOf(member.second, values));
+    std::vector<FileValue> merged;
+    std::set<std::string> names;
+    for (const auto& member : node) {
+      std::string name = member.first.IsScalar() ? member.first.Scalar() : "?";
+      FileValue one = valueOf(member.second, values);
+      if (name == "<<" && one.isMap()) {
+        merged.push_back(std::move(one));
+      } else if (name == "<<" && one.isList() && std::ranges::all_of(one.items, &FileValue::isMap)) {
+        std::ranges::move(one.items, std::back_inserter(merged));
+      } else {
+        names.insert(name);
+        value.members.emplace_back(std::move(name), std::move(one));
+      }
+    }
+    // What a map has itself goes first (https://yaml.org/type/merge.html).
+    for (FileValue& from : merged) {
+      for (auto& member : from.members) {
+        if (names.insert(member.first).second) value.members.push_back(std::move(member));
+      }
+    }
   } else if (node.IsScalar()) {
     value = FileValue::ofText(node.Scalar());
     const bool in_quotes = node.Tag() == "!";

@@ -302,6 +302,21 @@ class TestWaypointFiles : public QObject {
     QVERIFY2(wanted.error().contains(says), qPrintable(wanted.error()));
   }
 
+  void partsThatAreMergedAreThere() {
+    const WantedList list = read(
+        "- &first {name: A, x: 1, y: 2, yaw: 1.5, tags: [hall], frame: map}\n"
+        "- &second {<<: *first, name: B, type: stop, tags: [lift]}\n"
+        "- {name: C, yaw: 0.5, <<: [*second, *first]}\n");
+    QCOMPARE(list.points.size(), std::size_t(3));
+    for (const auto& point : list.points) QVERIFY(isAt(point, 1, 2));
+    QCOMPARE(list.points[1].yaw_rad.value(), std::optional<double>(1.5));
+    QCOMPARE(list.points[1].tags.value(), std::vector<std::string>{"lift"});
+    QCOMPARE(list.points[2].name.value(), std::string("C"));
+    QCOMPARE(list.points[2].yaw_rad.value(), std::optional<double>(0.5));
+    QCOMPARE(list.points[2].type.value(), std::string("stop"));
+    QCOMPARE(list.points[2].tags.value(), std::vector<std::string>{"lift"});
+  }
+
   void partsThatAreRepeatedWithoutEndAreRefused() {
     std::string bomb = "a: &a [1, 2, 3, 4, 5, 6, 7, 8, 9]\n";
     for (char c = 'b'; c <= 'j'; ++c)
