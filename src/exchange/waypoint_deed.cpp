@@ -10,6 +10,7 @@
 #include "words/fixed.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -25,7 +26,7 @@ constexpr double kCloseM = 0.1;  // below, millimetres matter
 QString shortWaypointName(const map::Waypoint& point, int limit) {
   QString text = words::plainName(point.name);
   if (text.isEmpty()) text = words::plainName(point.id);
-  return text.size() > limit ? text.left(limit - 1) + QChar(0x2026) : text;
+  return words::shortened(text, limit);
 }
 
 QString yawText(const std::optional<double>& yaw_rad) {

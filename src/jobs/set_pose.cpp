@@ -7,6 +7,7 @@
 #include "words/fixed.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::jobs {
 namespace {
@@ -74,7 +75,7 @@ QString searchReport(const map::GlobalPositioning& found) {
   const QString score = found.score && std::isfinite(*found.score)
                             ? SetPoseText::tr(" (score %1)").arg(QString::number(*found.score, 'f', 2))
                             : QString();
-  const QString said = words::plainName(found.message).left(200);
+  const QString said = words::shortened(words::plainName(found.message), 200);
   if (foundItself(found))
     return SetPoseText::tr("The robot found itself at %1%2.").arg(poseWords(*found.pose), score);
   if (found.pose && found.needs_confirmation.value_or(false))

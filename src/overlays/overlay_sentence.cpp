@@ -10,6 +10,7 @@
 #include "words/fixed.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::overlays {
 namespace {
@@ -200,7 +201,7 @@ QString valueText(const Part& part, const std::optional<std::string>& value) {
   const bool is_text = json && json->root().kind() == JsonKind::String;
   QString text = words::plainName(is_text ? json->root().string() : *value);
   if (part.name == "yaw" && part.of == Part::Of::Property) text += QChar(0xb0);
-  return text.size() > kLongestShown ? text.left(kLongestShown - 1) + QChar(0x2026) : text;
+  return words::shortened(text, kLongestShown);
 }
 
 }  // namespace mapwright::overlays

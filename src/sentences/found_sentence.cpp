@@ -5,6 +5,7 @@
 
 #include "sentences/plural.h"
 #include "words/listed.h"
+#include "words/shortened.h"
 
 namespace mapwright::sentences {
 namespace {
@@ -19,7 +20,7 @@ QString foundCalled(const robot::FoundRobot& robot) {
   QStringList told;
   const QString& name = robot.identity.name.isEmpty() ? robot.identity.serial : robot.identity.name;
   for (const QString& one : {name, robot.identity.model, robot.identity.version}) {
-    if (!one.trimmed().isEmpty()) told << one.trimmed().left(80);
+    if (!one.trimmed().isEmpty()) told << words::shortened(one.trimmed(), 80);
   }
   if (robot.topics) {
     told << counted(FoundText::tr("%1 topics", nullptr, formOf(*robot.topics)), *robot.topics);

@@ -9,6 +9,7 @@
 #include "words/listed.h"
 #include "words/qt_plain.h"
 #include "words/qt_versions.h"
+#include "words/shortened.h"
 #include "words/shortest.h"
 
 namespace test_words {
@@ -177,6 +178,13 @@ class WordsTest : public QObject {
     QCOMPARE(text(words::utcOfMs(-1)), QStringLiteral("1969-12-31T23:59:59.999Z"));
     const QDateTime shown(QDate(2026, 3, 29), QTime(12, 30), QTimeZone(2 * 3600));
     QCOMPARE(text(words::takenAsUtc(shown)), QStringLiteral("2026-03-29T12:30:00.000Z"));
+  }
+
+  void whatIsCutOffShows() {
+    QCOMPARE(words::shortened(QStringLiteral("Hall"), 4), QStringLiteral("Hall"));
+    QCOMPARE(words::shortened(QStringLiteral("Halle"), 4), QStringLiteral("Hal…"));
+    // No half of a letter that takes two units.
+    QCOMPARE(words::shortened(QStringLiteral("Ha\U0001F3EDle"), 4), QStringLiteral("Ha…"));
   }
 };
 

@@ -16,6 +16,7 @@
 #include "words/fixed.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::ui {
 
@@ -126,13 +127,9 @@ QString trafficText(const session::SubmapCounts& counts) {
 
 QString plainWords(const std::string& words, int limit) {
   // Only the beginning matters: a robot may send megabytes.
-  QString line =
+  const QString line =
       QString::fromUtf8(words.data(), qsizetype(std::min<std::size_t>(words.size(), 8 * std::size_t(limit))));
-  line = words::plainName(line);
-  if (line.size() <= limit) return line;
-  line.truncate(limit - 1);
-  if (line.back().isHighSurrogate()) line.chop(1);
-  return line + QChar(0x2026);
+  return words::shortened(words::plainName(line), limit);
 }
 
 QString plainWords(const QString& words, int limit) { return plainWords(words.toStdString(), limit); }

@@ -40,6 +40,7 @@
 #include "ui/view/map_overlay.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::ui {
 
@@ -552,7 +553,7 @@ void AdministrationController::showMapping() {
     }
   }
   const robot::MapAdministration* const robots = maps();
-  if (robots && online) state.manager = words::plainName(robots->managerState()).left(40);
+  if (robots && online) state.manager = words::shortened(words::plainName(robots->managerState()), 40);
   mapping_dock_->setState(state);
 }
 

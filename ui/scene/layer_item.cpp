@@ -7,6 +7,7 @@
 #include <QPainterPath>
 
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::ui::scene {
 namespace {
@@ -38,8 +39,7 @@ void LineSheet::paint(QPainter& painter, const QSizeF& viewport, double opacity,
 }
 
 QString shortName(const std::string& name, qsizetype longest) {
-  const QString text = words::plainName(name);
-  return text.size() > longest ? text.left(longest - 1) + QChar(0x2026) : text;
+  return words::shortened(words::plainName(name), longest);
 }
 
 void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,

@@ -23,14 +23,12 @@
 #include "ui/waypoints/waypoint_text.h"
 #include "words/listed.h"
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::ui {
 namespace {
 
-QString shortened(const QString& text) {
-  constexpr qsizetype kLongestTip = 2'000;
-  return text.size() <= kLongestTip ? text : text.left(kLongestTip) + QChar(0x2026);
-}
+constexpr qsizetype kLongestTip = 2'000;
 
 constexpr int kReviewRowPx = 24;
 constexpr qsizetype kNamed = 3;  // of those that differ
@@ -224,7 +222,8 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
       text = words::plainName(call.service);
       if (text.isEmpty()) text = tr("save the list");
       if (tip)
-        text += QLatin1Char('\n') + shortened(words::plainText(QString::fromStdString(call.arguments)));
+        text += QLatin1Char('\n') +
+                words::shortened(words::plainText(QString::fromStdString(call.arguments)), kLongestTip);
       break;
     }
     case ChangeColumn:

@@ -4,6 +4,7 @@
 #include <QVariant>
 
 #include "words/qt_plain.h"
+#include "words/shortened.h"
 
 namespace mapwright::ui {
 namespace {
@@ -12,8 +13,7 @@ const QString kThreads = QStringLiteral("work/threads"), kBudget = QStringLitera
 constexpr qsizetype kLongestQuote = 40;
 
 QString spoken(const QVariant& value) {
-  const QString text = words::plainName(value.toString());
-  return text.size() > kLongestQuote ? text.left(kLongestQuote) + QChar(0x2026) : text;
+  return words::shortened(words::plainName(value.toString()), kLongestQuote);
 }
 
 int numberIn(const QSettings& settings, const QString& key, int least, int most, QStringList& nonsense) {

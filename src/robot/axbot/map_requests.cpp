@@ -11,6 +11,7 @@
 #include "robot/wire/faults.h"
 #include "robot/wire/net_results.h"
 #include "robot/wire/picture_bytes.h"
+#include "words/shortened.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -348,9 +349,11 @@ void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::
   }
   if (answer.ok()) server_.http.discard(url);
   const Fault why = answer.ok() ? Fault(fault::AnswerIsEmpty) : answer.reason;
-  receive_(map::UnreadableMessage{
-      grid.topic,
-      {fault::PictureNotHad, {url.path().left(120).toStdString()}, {why}, Consequence::PictureBeforeStays}});
+  receive_(map::UnreadableMessage{grid.topic,
+                                  {fault::PictureNotHad,
+                                   {words::shortened(url.path(), 120).toStdString()},
+                                   {why},
+                                   Consequence::PictureBeforeStays}});
 }
 
 void GridFetcher::discardPicture(const std::string& fingerprint) {

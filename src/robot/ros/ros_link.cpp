@@ -10,6 +10,7 @@
 #include "robot/ros/faults.h"
 #include "robot/wire/net_results.h"
 #include "words/qt_versions.h"
+#include "words/shortened.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -107,7 +108,9 @@ void RosLink::listen() {
           });
   connect(client_.get(), &Client::statusReceived, this, [this](const QString& level, const QString& words) {
     const bool serious = level == QLatin1String("error") || level == QLatin1String("warning");
-    if (serious) report(map::Severity::Warning, {robot::fault::ItAnswered, {words.left(300).toStdString()}});
+    if (serious)
+      report(map::Severity::Warning,
+             {robot::fault::ItAnswered, {words::shortened(words, 300).toStdString()}});
   });
   connect(client_.get(), &Client::sharesOneConnection, this, [this](const Fault& why) {
     report(map::Severity::Info,
