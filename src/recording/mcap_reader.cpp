@@ -238,9 +238,9 @@ bool McapReader::readChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::u
     location.first_ns = mcap::timeOf(index.start);
     location.last_ns = mcap::timeOf(index.end);
     location.channels_known = !index.index_offsets.empty();
-    // A chunk without messages, or without indexes, may state 0 and 0.
+    // A chunk without messages, or without indexes, may state 0 and 0; some writers state nothing else.
     if (location.first_ns > location.last_ns || !mcap::isTime(index.end) ||
-        (!location.channels_known && index.start == 0 && index.end == 0)) {
+        (index.start == 0 && index.end == 0)) {
       location.channels_known = false;
       location.forgetTimes();
     }
@@ -480,7 +480,8 @@ ChunkedSource::Step McapReader::readChunk(Window& window, const McapRecord& reco
   location.length = record.end() - record.at;
   location.first_ns = mcap::timeOf(head->start);
   location.last_ns = mcap::timeOf(head->end);
-  if (!mcap::isTime(head->end)) location.forgetTimes();  // it will be unpacked
+  // It will be unpacked.
+  if (!mcap::isTime(head->end) || (head->start == 0 && head->end == 0)) location.forgetTimes();
   addScanned(std::move(location));
   return Step::Taken;
 }

@@ -21,6 +21,7 @@ class TestMcapDamage : public QObject {
   void lz4AndOverlongChunksAreRead();
   void aBombTakesNoMemory();
   void aChunkThatLiesAboutItsTimesIsReadInOrder();
+  void aChunkThatStatesNoTimesIsRead();
   void timesBeyondAllTimesAreNone();
   void anIndexThatLiesIsFoundOut();
   void messagesOfNobodysChannelAreCounted();
@@ -284,17 +285,21 @@ void TestMcapDamage::anUnknownCompressionIsNamed() {
 
 namespace {
 
-/// Ends a file of one chunk with this summary.
+/// Ends a file of one chunk with this summary. `index_at`: where the chunk's only message index is, of
+/// channel 1; it states no times then.
 void endWith(RawMcap& raw, std::uint64_t chunk_at, const mcap::RecordWriter& records,
-             const mcap::Statistics& statistics) {
-  const std::uint64_t chunk_end = raw.out.bytes().size();
+             const mcap::Statistics& statistics, std::optional<std::uint64_t> index_at = {}) {
+  const std::uint64_t end = raw.out.bytes().size(), chunk_end = index_at.value_or(end);
   raw.out.begin(mcap::Op::DataEnd);
   raw.out.u32(0);
   raw.out.end();
   const std::uint64_t start = raw.out.bytes().size();
   raw.out.raw(records.bytes());
   raw.out.begin(mcap::Op::ChunkIndex);
-  raw.out.u64(1).u64(2).u64(chunk_at).u64(chunk_end - chunk_at).u32(0).u64(0).text("").u64(0).u64(0);
+  raw.out.u64(index_at ? 0 : 1).u64(index_at ? 0 : 2).u64(chunk_at).u64(chunk_end - chunk_at);
+  if (index_at) raw.out.u32(10).u16(1).u64(*index_at);
+  if (!index_at) raw.out.u32(0);
+  raw.out.u64(end - chunk_end).text("").u64(0).u64(0);
   raw.out.end();
   mcap::write(raw.out, statistics);
   raw.out.begin(mcap::Op::Footer);
@@ -313,6 +318,40 @@ mcap::ChannelRecord channelOfSchema(std::uint16_t schema) {
 }
 
 }  // namespace
+
+/// What is asked for by time is there, whatever a chunk says of its times.
+void TestMcapDamage::aChunkThatStatesNoTimesIsRead() {
+  for (const bool indexed : {true, false}) {
+    mcap::RecordWriter records, summary;
+    mcap::write(records, channelOfSchema(0));
+    const std::uint64_t first = records.size();
+    RawMcap::message(records, 1, 1'000, "one");
+    const std::uint64_t second = records.size();
+    RawMcap::message(records, 1, 2'000, "two");
+    RawMcap raw;
+    const std::uint64_t at = raw.out.bytes().size();
+    raw.chunk(0, 0, records.size(), 0, "", records.bytes());
+    const std::uint64_t end = raw.out.bytes().size();
+    raw.out.begin(mcap::Op::MessageIndex);
+    raw.out.u16(1).u32(32).u64(1'000).u64(first).u64(2'000).u64(second);
+    raw.out.end();
+    if (!indexed) {
+      raw.end();
+    } else {
+      mcap::write(summary, channelOfSchema(0));
+      mcap::Statistics statistics;
+      statistics.messages = 2;
+      endWith(raw, at, summary, statistics, end);
+    }
+    const Opened opened = raw.open();
+    QVERIFY(opened);
+    QCOMPARE((*opened)->summary().start_ns, std::optional<std::int64_t>(1'000));
+    const auto cursor = (*opened)->messages({.first_ns = 1'500, .last_ns = 2'500, .topics = {}});
+    const auto found = cursor->next();
+    QVERIFY(found);
+    QCOMPARE(found->log_time_ns, std::int64_t(2'000));
+  }
+}
 
 /// Writers may leave schemas out of the summary and still repeat the channels there.
 void TestMcapDamage::schemasThatOnlyTheChunksHoldAreFound() {
