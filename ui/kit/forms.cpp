@@ -337,6 +337,7 @@ void setLongest(QLineEdit& field, int letters) {
   field.setProperty(kLongest, letters);
   field.setMaxLength(letters);
   QObject::connect(&field, &QLineEdit::inputRejected, &field, [&field] {
+    if (field.text().size() < field.maxLength()) return;  // refused for what it is
     sayBeside(field, QCoreApplication::translate("window", "Only %1 letters fit. The rest was left out.")
                          .arg(QString::fromStdString(words::grouped(field.maxLength()))));
   });
